@@ -1,0 +1,27 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/fault.hpp"
+
+int main(int argc, char** argv) try {
+    CLI::App program{"Carrel: a surgical suturing trainer. A thread that can be tied, pulled tight and named."};
+    program.require_subcommand(1);
+    app::add_commands(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2;
+    }
+    return app::chosen_command()();
+} catch (const app::CheckFailed& failed) {
+    std::cerr << failed.what() << '\n';
+    return 3;
+} catch (const app::InputFault& fault) {
+    std::cerr << fault.what() << '\n';
+    return 2;
+} catch (const std::exception& error) {
+    std::cerr << "carrel: internal error: " << error.what() << '\n';
+    return 1;
+}

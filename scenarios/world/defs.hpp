@@ -1,0 +1,54 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "instruments/tool.hpp"
+
+// What a scene is made of, as plain values in SI. scenarios/drill fills these from a file; tests fill them by hand.
+namespace scenarios::world {
+
+using sim::geometry::Vec3;
+
+struct ThreadDef {
+    std::string size = "6-0";              ///< USP.
+    std::string material = "polypropylene";
+    std::string mover = "ftl";             ///< "ftl" or "elastic".
+    double diameter = 0.085e-3;            ///< [m] middle of the USP range of 6-0.
+    double length = 0.150;                 ///< [m]
+    double young_modulus = 2.8e9;          ///< [Pa]
+    double density = 905;                  ///< [kg/m^3]
+    double break_force = 1.96;             ///< [N] USP minimum average knot-pull.
+    double friction = 0.15;                ///< Coulomb, thread on thread and on vessel.
+    double friction_tool = 0.15;           ///< Coulomb, thread on the smooth outside of a tool.
+    int links = 300;
+    std::vector<Vec3> start;               ///< Path of the thread at t = 0 [m]; resampled to equal links from its first point.
+};
+
+struct VesselDef {
+    std::string name = "vessel";
+    double diameter = 4e-3, wall = 0.6e-3, length = 30e-3;  ///< Tube by numbers [m]; outer diameter.
+    Vec3 centre = Vec3::Zero(), axis = Vec3::UnitX();
+    std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
+};
+
+struct InstrumentDef {
+    std::string name;  ///< "left", "right", ... as in motion files.
+    instruments::Kind kind = instruments::Kind::forceps;
+};
+
+struct WorldDef {
+    ThreadDef thread;
+    std::vector<VesselDef> vessels;
+    std::vector<InstrumentDef> instruments;
+    double tick_s = 1e-3;
+};
+
+/// One moment worth telling: grasp, release, slip, knot named, input dropped ...
+struct Event {
+    double t_s;
+    std::string kind;   ///< "grasp", "release", "slip", "knot", "input_dropped", "lag", "pass_through".
+    std::string what;   ///< e.g. "right", or the knot's name.
+    double value = 0;   ///< e.g. tension [N] at a slip, place along the thread [m] at a grasp.
+};
+
+}  // namespace scenarios::world

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/knot/namer.hpp"
+
+namespace scenarios::world {
+
+/// A number and the moment it was reached.
+struct Moment {
+    double value = 0;
+    double at_s = 0;
+};
+
+/// What has been measured of the session so far. One entry per instrument where it says so.
+struct Measures {
+    sim::knot::Name knot;                      ///< Now, of the thread alone.
+    double knot_since_s = 0;                   ///< When it took this name.
+    std::vector<double> tail_mm;               ///< Two: from the knot to the first and to the last node; 0,0 if no knot.
+    double duration_s = 0;
+    std::vector<double> path_mm;               ///< Per instrument, commanded path of the tip.
+    std::vector<int> grasps;                   ///< Per instrument.
+    Moment tension_max_N;
+    std::vector<Moment> lag_max_mm;            ///< Per instrument: commanded against simulated tip.
+    std::uint64_t pass_throughs = 0;
+    double first_pass_through_s = 0;
+};
+
+}  // namespace scenarios::world

@@ -1,0 +1,36 @@
+#include "sim/geometry/portable_math.hpp"
+
+namespace sim::geometry {
+
+SinCos portable_sin_cos(double angle) {
+    // Halve until the Taylor series is short, then double back: sin 2x = 2 sin x cos x, cos 2x - 1 = -2 sin^2 x.
+    int halvings = 0;
+    while (angle > 0.25 || angle < -0.25) angle *= 0.5, ++halvings;
+    const double q = angle * angle;
+    double sin = angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72 * (1 - q / 110 * (1 - q / 156))))));
+    double versine = q / 2 * (1 - q / 12 * (1 - q / 30 * (1 - q / 56 * (1 - q / 90 * (1 - q / 132)))));  // 1 - cos
+    for (; halvings > 0; --halvings) {
+        const double doubled = 2 * sin * sin;
+        sin = 2 * sin * (1 - versine);
+        versine = doubled;
+    }
+    return {sin, 1 - versine};
+}
+
+Quat portable_slerp(const Quat& from, const Quat& to, double t) {
+    // Halving the arc needs only a sum and a normalisation, so bisect on t. After 26 halvings what is left of the arc is
+    // below 1e-7 rad and linear interpolation differs from slerp by less than its cube: rounding.
+    Eigen::Vector4d low = from.coeffs(), high = to.coeffs();
+    if (low.dot(high) < 0) high = -high;
+    double low_t = 0, high_t = 1;
+    for (int i = 0; i < 26; ++i) {
+        const double middle_t = 0.5 * (low_t + high_t);
+        const Eigen::Vector4d middle = (low + high).normalized();
+        (t < middle_t ? high : low) = middle;
+        (t < middle_t ? high_t : low_t) = middle_t;
+    }
+    const double u = (t - low_t) / (high_t - low_t);
+    return Quat(Eigen::Vector4d(((1 - u) * low + u * high).normalized()));
+}
+
+}  // namespace sim::geometry

@@ -1,0 +1,19 @@
+#pragma once
+#include "sim/geometry/vec.hpp"
+
+// Functions the simulation may use instead of libm's: they need only + - * / and sqrt, which IEEE 754 rounds the same
+// way on every x86-64 processor, while libm picks a variant by CPU.
+namespace sim::geometry {
+
+struct SinCos {
+    double sin, cos;
+};
+
+/// Sine and cosine of `angle` [rad], any finite angle of moderate size; error below 1e-15 within +-pi.
+SinCos portable_sin_cos(double angle);
+
+/// Rotation from `from` (t = 0) to `to` (t = 1) along the shorter arc at constant rate.
+/// Unit quaternions in, unit quaternion out; opposite signs of the same rotation give the same answer.
+Quat portable_slerp(const Quat& from, const Quat& to, double t);
+
+}  // namespace sim::geometry

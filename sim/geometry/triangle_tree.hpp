@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "sim/geometry/shapes.hpp"
+
+namespace sim::geometry {
+
+/// Static triangles in a tree of boxes, for "which are near here".
+class TriangleTree {
+  public:
+    /// Any number of triangles, finite corners [m].
+    explicit TriangleTree(std::vector<Triangle> triangles);
+
+    /// Appends to `found` the indices of triangles whose box overlaps `box`, in ascending order of tree leaves (the same
+    /// every time). Allocates only if `found` must grow.
+    void near(const Box& box, std::vector<int>& found) const;
+
+    const Triangle& operator[](int i) const { return triangles_[static_cast<std::size_t>(i)]; }
+    int size() const { return static_cast<int>(triangles_.size()); }
+
+  private:
+    struct Node {
+        Box box;
+        int first, count;  ///< Leaf: range in order_. Inner: count 0, children at first and first + 1.
+    };
+    std::vector<Triangle> triangles_;
+    std::vector<int> order_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace sim::geometry

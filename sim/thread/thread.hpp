@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/geometry/shapes.hpp"
+
+namespace sim::geometry {
+class TriangleTree;
+}
+
+namespace sim::thread {
+
+using geometry::Capsule;
+using geometry::Vec3;
+
+/// What a thread is. SI; n links between n + 1 nodes.
+struct ThreadDef {
+    double radius = 0.0425e-3;        ///< [m] of the round cross-section; 6-0 is 0.085 mm thick.
+    double friction = 0.15;           ///< Coulomb coefficient, thread on thread and on surfaces.
+    double friction_tool = 0.15;      ///< Coulomb coefficient, thread on moving capsules.
+    double axial_stiffness = 15.9;    ///< Young's modulus times cross-section [N]; scales the tension estimate only.
+};
+
+/// A node held by somebody, and where it should be at the end of the tick.
+struct Hold {
+    int node;
+    Vec3 target;  ///< [m]
+};
+
+/// A tool part during one tick: end points move linearly, the radius is that of `from`.
+struct MovingCapsule {
+    Capsule from, to;
+    int owner = 0;             ///< Which tool; a link with a node held by the same owner is not tested against it.
+};
+
+/// What enters one tick. Nodes appear in `holds` at most once.
+struct TickInput {
+    std::span<const Hold> holds;
+    std::span<const int> hold_owners;             ///< One per hold: the owner of capsules that hold it, or -1.
+    std::span<const MovingCapsule> capsules;
+    const geometry::TriangleTree* surface = nullptr;  ///< Static triangles, or none.
+};
+
+/// What a tick did and what it gave up.
+struct TickReport {
+    double fraction = 1;            ///< Share of the motion asked for that was applied; below 1 the tools wait.
+    int substeps = 0, contacts = 0;
+    double stretch_max = 0;         ///< |l / l0 - 1| of the worst link after the tick.
+    double separation_min = 1e300;  ///< Smallest centre-line distance of non-neighbour links / diameter after the tick.
+    double step_over_bound = 0;     ///< Largest move of a node in a substep over its bound; at most 1.
+    int pass_throughs = 0;          ///< Found by the audit, in any substep, through thread, capsules or surface.
+    bool not_finite = false;        ///< Input was not finite; the tick was not taken.
+};
+
+/// The thread as it is now.
+class Thread {
+  public:
+    /// Nodes at `nodes` [m], at least 2; rest lengths are the distances between them.
+    Thread(const ThreadDef& def, std::vector<Vec3> nodes);
+    ~Thread();
+    Thread(Thread&&) noexcept;
+    Thread& operator=(Thread&&) noexcept;
+
+    /// One tick. Allocates nothing once buffers have grown to the scene's size.
+    TickReport tick(const TickInput& input);
+
+    const ThreadDef& def() const;
+    std::span<const Vec3> nodes() const;             ///< n + 1 positions [m].
+    std::span<const double> rest_lengths() const;    ///< n [m].
+    std::span<const double> tension() const;         ///< n, estimate [N]: what a thread of this stiffness would carry.
+    std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.
+
+  private:
+    struct Impl;
+    Impl* impl_;
+};
+
+/// Resamples a path to `links` links of equal length; the last node is the path's end. Path of at least 2 points.
+std::vector<Vec3> resample(std::span<const Vec3> path, int links);
+
+}  // namespace sim::thread
