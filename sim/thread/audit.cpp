@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <array>
+
+#include "sim/thread/state.hpp"
+
+// An independent witness: it knows nothing of contacts, reach or bounds, only where every link was and is. Two segments
+// whose ends move linearly can pass through each other only when the four ends are coplanar, so the volume they span,
+// a cubic in time, has a root at which the segments meet ([Provot1997] for cloth edges).
+namespace sim::thread {
+
+namespace {
+
+struct Moving {
+    Vec3 a0, b0, a1, b1;  ///< Ends before and after.
+
+    Vec3 a(double t) const { return a0 + t * (a1 - a0); }
+    Vec3 b(double t) const { return b0 + t * (b1 - b0); }
+    Box swept() const {
+        Box box;
+        for (const Vec3* p : {&a0, &b0, &a1, &b1}) box.include(*p);
+        return box;
+    }
+};
+
+double volume(const Moving& p, const Moving& q, double t) {
+    return (p.b(t) - p.a(t)).cross(q.b(t) - q.a(t)).dot(q.a(t) - p.a(t));
+}
+
+// At the moment the four points are coplanar: do the segments meet? Each must have its ends on both sides of the other.
+bool meet_at(const Moving& p, const Moving& q, double t) {
+    const Vec3 u = p.b(t) - p.a(t), v = q.b(t) - q.a(t), r = q.a(t) - p.a(t), normal = u.cross(v);
+    const double nn = normal.squaredNorm();
+    if (nn == 0) return false;  // parallel: they slide along each other and part the same way
+    const double s = r.cross(v).dot(normal) / nn, w = r.cross(u).dot(normal) / nn;
+    return s >= 0 && s <= 1 && w >= 0 && w <= 1;
+}
+
+double root_between(const Moving& p, const Moving& q, double low, double high) {
+    const bool rising = volume(p, q, low) < 0;
+    for (int i = 0; i < 60; ++i) {  // bisection to the last bit of a time in [0, 1]
+        const double middle = 0.5 * (low + high);
+        ((volume(p, q, middle) < 0) == rising ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// Crossed once or thrice is a pass-through; twice is in and out again, which counts too: it must never happen at all.
+int crossings(const Moving& p, const Moving& q) {
+    // The cubic through its values at 0, 1/3, 2/3, 1; its turning points split [0, 1] into monotone pieces.
+    const double f0 = volume(p, q, 0), f1 = volume(p, q, 1.0 / 3), f2 = volume(p, q, 2.0 / 3), f3 = volume(p, q, 1);
+    const double c1 = -5.5 * f0 + 9 * f1 - 4.5 * f2 + f3, c2 = 9 * f0 - 22.5 * f1 + 18 * f2 - 4.5 * f3;
+    const double c3 = 4.5 * (f3 - f0) + 13.5 * (f1 - f2);
+    std::array<double, 4> cut{0, 1, 1, 1};
+    int cuts = 1;
+    const double disc = c2 * c2 - 3 * c1 * c3;
+    if (disc > 0) {
+        const double q_root = -(c2 + (c2 < 0 ? -1 : 1) * std::sqrt(disc));
+        for (const double t : {c3 != 0 ? q_root / (3 * c3) : -1.0, q_root != 0 ? c1 / q_root : -1.0})
+            if (t > 0 && t < 1) cut[static_cast<std::size_t>(cuts++)] = t;
+    }
+    cut[static_cast<std::size_t>(cuts)] = 1;
+    std::sort(cut.begin(), cut.begin() + cuts + 1);
+    int met = 0;
+    for (int i = 0; i < cuts; ++i) {
+        const double low = cut[static_cast<std::size_t>(i)], high = cut[static_cast<std::size_t>(i + 1)];
+        if ((volume(p, q, low) < 0) == (volume(p, q, high) < 0)) continue;
+        if (meet_at(p, q, root_between(p, q, low, high))) ++met;
+    }
+    return met;
+}
+
+// Cheap and certain: what starts farther apart than both can move along any axis cannot meet.
+bool apart(const Box& a, const Box& b) { return !a.overlaps(b); }
+
+bool pierces(const Moving& p, const geometry::Triangle& tri) {
+    // A static triangle: the ends' paths and the final link against it. A link that slid over an edge shows at its ends
+    // or in its final place, for it cannot leave a closed surface again within one substep.
+    const auto through = [&](const Vec3& from, const Vec3& to) {
+        const Vec3 normal = (tri.b - tri.a).cross(tri.c - tri.a);
+        const double h0 = normal.dot(from - tri.a), h1 = normal.dot(to - tri.a);
+        if ((h0 < 0) == (h1 < 0)) return false;
+        const Vec3 hit = from + h0 / (h0 - h1) * (to - from);
+        const auto inside = [&](const Vec3& u, const Vec3& v) { return (v - u).cross(hit - u).dot(normal) >= 0; };
+        return inside(tri.a, tri.b) && inside(tri.b, tri.c) && inside(tri.c, tri.a);
+    };
+    return through(p.a0, p.a1) || through(p.a1, p.b1);
+}
+
+}  // namespace
+
+int audit(const State& state) {
+    // Links in blocks of eight: boxes of blocks first, then of links. Plain and separate from the link tree.
+    constexpr int block = 8;
+    const int n = state.links(), blocks = (n + block - 1) / block;
+    const auto link = [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        return Moving{state.before[k], state.before[k + 1], state.nodes[k], state.nodes[k + 1]};
+    };
+    const auto box_of = [&](int b) {
+        Box box;
+        for (int i = b * block; i <= std::min(n, (b + 1) * block); ++i) {
+            box.include(state.before[static_cast<std::size_t>(i)]);
+            box.include(state.nodes[static_cast<std::size_t>(i)]);
+        }
+        return box;
+    };
+    std::vector<Box>& boxes = state.audit_boxes;
+    boxes.resize(static_cast<std::size_t>(blocks));
+    for (int b = 0; b < blocks; ++b) boxes[static_cast<std::size_t>(b)] = box_of(b);
+
+    int met = 0;
+    for (int p = 0; p < blocks; ++p)
+        for (int q = p; q < blocks; ++q) {
+            if (apart(boxes[static_cast<std::size_t>(p)], boxes[static_cast<std::size_t>(q)])) continue;
+            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
+                const Moving a = link(i);
+                const Box swept = a.swept();
+                for (int j = std::max(i + 2, q * block); j < std::min(n, (q + 1) * block); ++j) {
+                    const Moving b = link(j);
+                    if (!apart(swept, b.swept())) met += crossings(a, b);
+                }
+            }
+        }
+    for (std::size_t c = 0; c < state.capsules.size(); ++c) {
+        const Capsule &from = state.capsules_before[c], &to = state.capsules[c];
+        const Moving core{from.a, from.b, to.a, to.b};
+        const Box swept = core.swept();
+        for (int p = 0; p < blocks; ++p) {
+            if (apart(boxes[static_cast<std::size_t>(p)], swept)) continue;
+            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) met += crossings(link(i), core);
+        }
+    }
+    if (state.input.surface)
+        for (int p = 0; p < blocks; ++p) {
+            state.audit_found.clear();
+            state.input.surface->near(boxes[static_cast<std::size_t>(p)], state.audit_found);
+            for (const int t : state.audit_found)
+                for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
+                    met += pierces(link(i), (*state.input.surface)[t]);
+        }
+    return met;
+}
+
+}  // namespace sim::thread

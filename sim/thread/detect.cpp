@@ -1,0 +1,114 @@
+#include "sim/geometry/closest_points.hpp"
+#include "sim/thread/state.hpp"
+
+namespace sim::thread {
+
+using geometry::closest_points;
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Links between a tool's own jaws are held, not pushed: those within a jaw's width of a node that the tool holds.
+static bool is_held_by(const State& state, int link, int owner, double jaw_radius) {
+    for (std::size_t h = 0; h < state.input.holds.size(); ++h) {
+        if (state.input.hold_owners[h] != owner) continue;
+        const int away = static_cast<int>(2 * jaw_radius / state.rest[at(link)]) + 1;
+        const int node = state.input.holds[h].node;
+        if (link >= node - 1 - away && link <= node + away) return true;
+    }
+    return false;
+}
+
+static void add(State& state, Against against, int link, int other, double thickness, double friction, double gap) {
+    Contact contact{against, link, other, gap, thickness, friction};
+    state.contacts.push_back(contact);
+}
+
+static void detect_self(State& state) {
+    const double reach2 = state.reach * state.reach;
+    state.tree.self_pairs(state.reach, state.skip, [&](int i, int j) {
+        const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
+        if (pair.distance_squared < reach2)
+            add(state, Against::thread, i, j, 2 * state.def.radius, state.def.friction, std::sqrt(pair.distance_squared));
+    });
+}
+
+static void detect_capsules(State& state) {
+    for (std::size_t c = 0; c < state.capsules.size(); ++c) {
+        const Capsule& capsule = state.capsules[c];
+        const double reach = state.reach + capsule.radius;
+        Box box;
+        box.include(capsule.a);
+        box.include(capsule.b);
+        state.tree.near(box.grown(reach), [&](int i) {
+            const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], capsule.a, capsule.b);
+            if (pair.distance_squared < reach * reach && !is_held_by(state, i, state.input.capsules[c].owner, capsule.radius))
+                add(state, Against::capsule, i, static_cast<int>(c), state.def.radius + capsule.radius,
+                    state.def.friction_tool, std::sqrt(pair.distance_squared));
+        });
+    }
+}
+
+static void detect_surface(State& state) {
+    if (!state.input.surface) return;
+    const auto& surface = *state.input.surface;
+    state.tree.leaves([&](const Box& box, int first, int last) {
+        state.found.clear();
+        surface.near(box.grown(state.reach), state.found);
+        for (const int triangle : state.found)
+            for (int i = first; i < last; ++i) {
+                const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], surface[triangle]);
+                if (pair.distance_squared < state.reach * state.reach)
+                    add(state, Against::surface, i, triangle, state.def.radius, state.def.friction, std::sqrt(pair.distance_squared));
+            }
+    });
+}
+
+void detect(State& state, double reach) {
+    state.reach = reach;
+    state.moved = 0;
+    state.contacts.clear();
+    state.tree.refit(state.nodes);
+    detect_self(state);
+    detect_capsules(state);
+    detect_surface(state);
+}
+
+static double gap_now(const State& state, const Contact& c) {
+    const Vec3 &a0 = state.nodes[at(c.link)], &a1 = state.nodes[at(c.link + 1)];
+    switch (c.against) {
+        case Against::thread:
+            return std::sqrt(closest_points(a0, a1, state.nodes[at(c.other)], state.nodes[at(c.other + 1)]).distance_squared);
+        case Against::capsule:
+            return std::sqrt(closest_points(a0, a1, state.capsules[at(c.other)].a, state.capsules[at(c.other)].b).distance_squared);
+        case Against::surface:
+            return std::sqrt(closest_points(a0, a1, (*state.input.surface)[c.other]).distance_squared);
+    }
+    return 0;
+}
+
+// A node may use `bound_share` of the distance from either of its links to whatever they are not joined to. Things not
+// among the contacts were farther than `reach` and have come nearer by twice `moved` at most.
+void measure_gaps(State& state) {
+    const double unseen = std::max(0.0, state.reach - 2 * state.moved);
+    std::fill(state.bound.begin(), state.bound.end(), bound_share * unseen);
+    const auto tighten = [&](int link, double room) {
+        state.bound[at(link)] = std::min(state.bound[at(link)], room);
+        state.bound[at(link + 1)] = std::min(state.bound[at(link + 1)], room);
+    };
+    for (Contact& c : state.contacts) {
+        c.gap = gap_now(state, c);
+        // A surface stands still, so the thread may use both shares.
+        tighten(c.link, c.against == Against::surface ? 2 * bound_share * c.gap : bound_share * c.gap);
+        if (c.against == Against::thread) tighten(c.other, bound_share * c.gap);
+    }
+    state.active.clear();
+    for (std::size_t k = 0; k < state.contacts.size(); ++k) {
+        Contact& c = state.contacts[k];
+        c.normal_push = 0;
+        c.tangent_push.setZero();
+        const double closing = 2 * std::max(state.bound[at(c.link)], state.bound[at(c.link + 1)]);
+        if (c.gap < c.thickness + closing) state.active.push_back(static_cast<int>(k));
+    }
+}
+
+}  // namespace sim::thread

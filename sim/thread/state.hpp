@@ -1,0 +1,95 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/link_tree.hpp"
+#include "sim/thread/thread.hpp"
+
+// What the stages of a tick share. Private to sim/thread.
+namespace sim::thread {
+
+enum class Against : std::uint8_t { thread, capsule, surface };
+
+/// A link near something. Pushes are position corrections in units of 1/inverse mass, gathered over one substep.
+struct Contact {
+    Against against;
+    int link, other;              ///< `other`: link, capsule or triangle.
+    double gap;                   ///< Centre-line distance to the other's centre line or surface, substep start [m].
+    double thickness;             ///< Distance at which the two touch [m].
+    double friction;              ///< Coulomb coefficient.
+    double normal_push = 0;       ///< >= 0.
+    Vec3 tangent_push = Vec3::Zero();
+    Vec3 normal = Vec3::UnitZ();  ///< From the other towards the link; last one known.
+};
+
+struct State {
+    State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes);
+
+    int links() const { return static_cast<int>(rest.size()); }
+
+    ThreadDef def;
+    std::vector<Vec3> nodes;
+    std::vector<double> rest;          ///< [m]
+    int skip;                          ///< Links closer than this in order are neighbours: bending, not contact.
+
+    // One tick.
+    std::vector<double> inverse_mass;  ///< 1, or 0 for a held node.
+    std::vector<Vec3> hold_from;       ///< Per hold: where its node was when the tick began.
+    TickInput input;
+    std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected.
+    double reach = 0;                  ///< [m]
+    double moved = 0;                  ///< Sum of largest node moves (and tool moves) since then [m].
+    double progress = 0;               ///< Share of the tick's motion applied so far.
+
+    // One substep.
+    std::vector<Vec3> before;          ///< Nodes when the substep began.
+    std::vector<double> bound;         ///< How far each node may move in this substep [m].
+    std::vector<Capsule> capsules, capsules_before;
+    std::vector<int> active;           ///< Contacts that can touch in this substep.
+
+    // Carried from tick to tick.
+    double trust = 1;                  ///< Share of the admissible step that the last substep managed.
+    bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
+    std::vector<double> tension;       ///< [N] per link.
+
+    LinkTree tree;
+    std::vector<int> found;            ///< Scratch.
+    std::vector<Vec3> unit;            ///< Scratch of the length solve.
+    std::vector<double> upper, multiplier;
+    std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
+    mutable std::vector<Box> audit_boxes;  ///< Scratch of the audit.
+    mutable std::vector<int> audit_found;
+};
+
+// Tolerances, as shares of the thread's own sizes.
+constexpr double stretch_tolerance = 5e-4;     ///< Of a link's rest length: half of what a thread at rest may show.
+constexpr double overlap_tolerance = 0.02;     ///< Of the distance at which two things touch.
+constexpr double bound_share = 0.45;           ///< Two neighbours that each use it keep a tenth of their distance.
+
+/// Follow-The-Leader from every held node to its target (follow_leader.cpp).
+void follow_leader(State& state, double progress);
+
+/// One Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it (lengths.cpp).
+double solve_lengths(State& state);
+double worst_stretch(const State& state);
+
+/// Every pair within reach; resets `moved` (detect.cpp).
+void detect(State& state, double reach);
+/// Gaps of all contacts as the nodes stand, the bound of each node from them, and which contacts are active.
+void measure_gaps(State& state);
+
+/// One pass over active contacts with friction; returns the worst overlap found before it, as a share of the
+/// touching distance (resolve.cpp).
+double resolve_contacts(State& state);
+double worst_overlap(const State& state);
+/// Keeps every bend no tighter than the thread's own radius.
+void limit_bends(State& state);
+
+/// Pass-throughs between `before` and `nodes`, found without using contacts or bounds (audit.cpp).
+int audit(const State& state);
+
+/// Tension estimate of every link from how far the held nodes lag behind their targets (tension.cpp).
+void estimate_tension(State& state);
+
+}  // namespace sim::thread
