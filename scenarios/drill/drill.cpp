@@ -40,7 +40,7 @@ class Reader {
         read_thread();
         read_goals();
         read_bands();
-        drill_.filled = filled_.dump(2);
+        drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
         return drill_;
     }
 
@@ -217,11 +217,12 @@ Drill parse_drill(const std::string& text, const std::string& name, const std::f
 }
 
 Drill load_drill(const std::filesystem::path& file) {
-    const JsonText document(read_text(file, most_bytes), file.string());
+    const std::string text = read_text(file, most_bytes);
+    const JsonText document(text, file.string());
     Reader reader(document, file.parent_path());
     Drill drill = reader.read();
     reader.check_files();
-    drill.text = read_text(file, most_bytes);
+    drill.text = text;
     return drill;
 }
 
@@ -229,7 +230,7 @@ std::string drill_schema() {
     nlohmann::ordered_json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                                      {"title", "Carrel drill"}};
     schema.update(schema_of(drill_shape()));
-    return schema.dump(2) + "\n";
+    return laid_out(schema) + "\n";
 }
 
 }  // namespace scenarios::drill

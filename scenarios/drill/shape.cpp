@@ -140,6 +140,11 @@ Found check(const json& value, const Shape& shape, const std::string& pointer) {
     return {};
 }
 
+// A whole number is written as one: "maximum": 5000, not 5000.0.
+json limit(double x) {
+    return types_of(json(x)) & integer ? json(static_cast<std::int64_t>(x)) : json(x);
+}
+
 }  // namespace
 
 std::string shown(double value) {
@@ -167,6 +172,33 @@ json with_defaults(const json& value, const Shape& shape) {
     return filled;
 }
 
+nlohmann::ordered_json in_table_order(const json& value, const Shape& shape) {
+    if (value.is_array() && !shape.items.empty()) {
+        auto list = nlohmann::ordered_json::array();
+        for (const json& item : value) list.push_back(in_table_order(item, shape.items.front()));
+        return list;
+    }
+    if (!value.is_object()) return value;
+    auto ordered = nlohmann::ordered_json::object();
+    for (const Key& key : shape.keys)
+        if (value.contains(key.name)) ordered[key.name] = in_table_order(value[key.name], key.shape);
+    for (const auto& [name, inner] : value.items())
+        if (!find_key(shape.keys, name)) ordered[name] = in_table_order(inner, shape.other_keys.front());
+    return ordered;
+}
+
+std::string laid_out(const nlohmann::ordered_json& value, std::size_t indent) {
+    const std::string line = value.dump();
+    if (!value.is_structured() || indent + line.size() <= 100) return line;
+    const std::string margin = "\n" + std::string(indent, ' ');
+    std::string text;
+    for (const auto& [key, inner] : value.items()) {
+        text += (text.empty() ? "" : ",") + margin + "  ";
+        text += (value.is_object() ? json(key).dump() + ": " : "") + laid_out(inner, indent + 2);
+    }
+    return value.is_object() ? "{" + text + margin + "}" : "[" + text + margin + "]";
+}
+
 nlohmann::ordered_json schema_of(const Shape& shape) {
     nlohmann::ordered_json schema;
     if (!shape.about.empty()) schema["description"] = shape.about;
@@ -182,8 +214,8 @@ nlohmann::ordered_json schema_of(const Shape& shape) {
         return schema;
     }
     if (shape.types & (number | integer)) {
-        schema["minimum"] = shape.low;
-        schema["maximum"] = shape.high;
+        schema["minimum"] = limit(shape.low);
+        schema["maximum"] = limit(shape.high);
     }
     if (shape.types & text) {
         schema["minLength"] = 1;

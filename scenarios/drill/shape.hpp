@@ -53,6 +53,12 @@ std::optional<Problem> first_problem(const json& value, const Shape& shape);
 /// `value`, which has no problem, with the defaults of absent keys filled in.
 json with_defaults(const json& value, const Shape& shape);
 
+/// `value`, which has no problem, with keys in the order of the table.
+nlohmann::ordered_json in_table_order(const json& value, const Shape& shape);
+
+/// JSON text with what fits into a line on one line.
+std::string laid_out(const nlohmann::ordered_json& value, std::size_t indent = 0);
+
 /// JSON Schema, draft 2020-12, of `shape`, without the "$schema" line.
 nlohmann::ordered_json schema_of(const Shape& shape);
 

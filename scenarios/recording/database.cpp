@@ -25,6 +25,8 @@ Database::Database(const std::filesystem::path& file, Mode mode) {
         sqlite3_close(handle_);
         result = sqlite3_open_v2(file.c_str(), &handle_, SQLITE_OPEN_READONLY, nullptr);
     }
+    // Somebody may look into a recording while it grows: reader and writer wait for each other rather than fail.
+    if (result == SQLITE_OK) result = sqlite3_busy_timeout(handle_, 5000);
     if (result == SQLITE_OK) return;
     const std::string what = sqlite3_errmsg(handle_);
     sqlite3_close(handle_);

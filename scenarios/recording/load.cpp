@@ -68,7 +68,9 @@ class Loader {
         recording_.head = {row.text(0), row.text(1), row.text(2), row.real(3), {}, {}};
         Statement names(database_, "SELECT name FROM instrument ORDER BY place");
         while (names.step()) recording_.head.instruments.push_back(names.text(0));
-        if (recording_.head.instruments.empty()) fail(file_, "names no instruments");
+        const std::size_t tools = recording_.head.instruments.size();
+        if (tools < 1 || tools > most_tools)
+            fail(file_, "names " + std::to_string(tools) + " instruments, expected 1 to 16");
         if (!(recording_.head.tick_s > 0 && recording_.head.tick_s <= 1)) fail(file_, "has no valid length of a tick");
     }
 
