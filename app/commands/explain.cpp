@@ -4,8 +4,8 @@
 
 #include "app/commands.hpp"
 #include "app/commands/checks.hpp"
+#include "app/commands/effects.hpp"
 #include "app/fault.hpp"
-#include "scenarios/drill/effects.hpp"
 
 namespace app {
 
@@ -24,7 +24,7 @@ std::string shown(double value) {
 
 void print_json(const scenarios::drill::Drill& drill) {
     nlohmann::ordered_json effects;
-    for (const auto& effect : scenarios::drill::effects_of(drill))
+    for (const auto& effect : effects_of(drill))
         effects.push_back({{"name", effect.name},
                            {"on", effect.on},
                            {"group", effect.group},
@@ -38,7 +38,7 @@ void print_json(const scenarios::drill::Drill& drill) {
 
 void print(const scenarios::drill::Drill& drill) {
     std::cout << drill.title << "\n\n";
-    for (const auto& effect : scenarios::drill::effects_of(drill))
+    for (const auto& effect : effects_of(drill))
         std::cout << effect.name << ": " << (effect.on ? "on" : "off") << "\n    " << effect.group << " = "
                   << shown(effect.value) << "\n    " << effect.error << "\n    " << effect.cost << '\n';
     std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';

@@ -1,6 +1,7 @@
 #include "scenarios/drill/score.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
@@ -179,6 +180,9 @@ void score_lag(const Drill& drill, const world::Measures& measures, std::vector<
 }  // namespace
 
 std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures) {
+    const std::size_t tools = drill.world.instruments.size();
+    assert(measures.path_mm.size() == tools && measures.grasps.size() == tools && measures.lag_max_mm.size() == tools &&
+           "one measure per instrument");
     std::vector<ScoreItem> items;
     for (const Goal& goal : drill.goals) {
         score_knot(goal, measures, items);

@@ -45,7 +45,8 @@ using Clock = double (*)();
 double wall_clock();
 
 /// Writes a recording while a session runs. Whatever was added is in the file after at most 0.5 s of simulated time and
-/// at most 0.5 s of wall clock between two add_tick calls; a kill at any moment loses no more.
+/// at most 0.5 s of wall clock between two add_tick calls; a kill at any moment loses no more. After
+/// a kill in the middle of a write "FILE-journal" lies beside it: the next to open the file takes that write back.
 class Recorder {
   public:
     /// Opens `file`. An earlier recording there is replaced; anything else is left alone.

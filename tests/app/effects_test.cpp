@@ -1,15 +1,15 @@
-#include "scenarios/drill/effects.hpp"
+#include "app/commands/effects.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/scenarios/drill/sample.hpp"
 
-using namespace scenarios::drill;
+using app::Effect;
 
 namespace {
 
 Effect effect(const std::string& name, const std::string& text) {
-    for (const Effect& e : effects_of(parse_drill(text, "a", "")))
+    for (const Effect& e : app::effects_of(scenarios::drill::parse_drill(text, "a", "")))
         if (e.name == name) return e;
     ADD_FAILURE() << name;
     return {};

@@ -1,4 +1,4 @@
-#include "scenarios/drill/effects.hpp"
+#include "app/commands/effects.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,11 @@
 
 #include "scenarios/drill/materials.hpp"
 
-// Nothing here enters the simulation, so libm is allowed.
-namespace scenarios::drill {
+namespace app {
+
+using scenarios::drill::Drill;
+using scenarios::drill::Material;
+using scenarios::drill::material_named;
 
 namespace {
 
@@ -25,7 +28,7 @@ constexpr double pressure_Pa = 13.33e3;  ///< 100 mmHg.
 struct Rod {
     double length, diameter, weight_per_m, axial, bending, twisting, break_force;
 
-    explicit Rod(const world::ThreadDef& def) {
+    explicit Rod(const scenarios::world::ThreadDef& def) {
         const double area = std::numbers::pi / 4 * def.diameter * def.diameter;
         const Material& material = material_named(def.material);
         length = def.length;
@@ -159,7 +162,7 @@ Effect leak(const Drill& drill) {
 }
 
 // A rope that slides around an angle keeps 1 / e^(mu angle) of its tension (capstan); a throw is about 2 pi.
-Effect friction(const world::ThreadDef& def) {
+Effect friction(const scenarios::world::ThreadDef& def) {
     const double factor = std::exp(def.friction * 2 * std::numbers::pi);
     return {"friction",
             true,
@@ -199,4 +202,4 @@ std::vector<Effect> effects_of(const Drill& drill) {
             inertia(rod)};
 }
 
-}  // namespace scenarios::drill
+}  // namespace app

@@ -4,7 +4,7 @@
 
 #include "scenarios/drill/drill.hpp"
 
-namespace scenarios::drill {
+namespace app {
 
 /// One physical effect in a drill: whether it is simulated, and what leaving it out means for this thread.
 struct Effect {
@@ -18,6 +18,6 @@ struct Effect {
 
 /// Every effect of drill files, and those that are always on. The formulas are dimensional estimates; sources beside
 /// them.
-std::vector<Effect> effects_of(const Drill& drill);
+std::vector<Effect> effects_of(const scenarios::drill::Drill& drill);
 
-}  // namespace scenarios::drill
+}  // namespace app
