@@ -115,7 +115,7 @@ class Folder {
     fs::path path_;
 };
 
-void check_function(const std::string& file) {
+void check_function(const std::string& file, const std::string& words = ": error: ") {
     try {
         const auto drill = scenarios::drill::load_drill(file);
         scenarios::drill::load_motion(drill.motion, std::vector<std::string>{"left", "right"});
@@ -123,7 +123,7 @@ void check_function(const std::string& file) {
     } catch (const scenarios::drill::FileError& error) {
         const std::string line = error.what();
         EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-        EXPECT_NE(line.find(": error: "), std::string::npos) << line;
+        EXPECT_NE(line.find(words), std::string::npos) << line;
         EXPECT_LT(line.size(), 1000u) << line;
     }
 }
@@ -170,9 +170,13 @@ TEST(BrokenFiles, WhatIsNoFile) {
     fs::create_directory(folder / "directory");
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     fs::create_symlink("nowhere", folder / "dangling");
-    for (const std::string name : {"directory", "pipe", "dangling", "missing"}) {
+    const std::pair<std::string, std::string> cases[] = {{"directory", "is a directory, expected a file"},
+                                                         {"pipe", "is not a regular file"},
+                                                         {"dangling", "no such file"},
+                                                         {"missing", "no such file"}};
+    for (const auto& [name, words] : cases) {
         SCOPED_TRACE(name);
-        check_function((folder / name).string());
+        check_function((folder / name).string(), words);
         check_program("validate", (folder / name).string(), folder);
         check_program("explain", (folder / name).string(), folder);
     }

@@ -40,12 +40,17 @@ TEST(Recording, KeepsEveryKindOfDouble) {
                           -Limits::infinity(),
                           Limits::denorm_min(),
                           Limits::max()};
-    std::vector<instruments::ToolInput> tools = session::tools_at(0);
-    tools[1] = {{{odd[0], odd[1], odd[2]}, instruments::Quat(odd[3], odd[4], odd[5], odd[6])}, odd[7]};
     Recorder recorder(folder / "a.carrel", session::head());
-    recorder.add_tick(tools);
+    std::vector<std::uint64_t> sent;
+    for (std::size_t turn = 0; turn < 8; ++turn) {  // each in each place
+        const auto n = [&](std::size_t i) { return odd[(i + turn) % 8]; };
+        std::vector<instruments::ToolInput> tools = session::tools_at(turn);
+        tools[1] = {{{n(0), n(1), n(2)}, instruments::Quat(n(3), n(4), n(5), n(6))}, n(7)};
+        recorder.add_tick(tools);
+        for (const std::uint64_t number : bits(tools)) sent.push_back(number);
+    }
     recorder.finish();
-    EXPECT_EQ(bits(load_recording(folder / "a.carrel").tick(0)), bits(tools));
+    EXPECT_EQ(bits(load_recording(folder / "a.carrel").inputs), sent);
 }
 
 // A report made from a recording shows its head, events and scores; each field must be the one that was written.
