@@ -12,7 +12,7 @@ constexpr int format_version = 1;                    ///< PRAGMA user_version.
 constexpr std::int32_t application_id = 0x4352454c;  ///< PRAGMA application_id: "CREL".
 constexpr std::size_t numbers_per_tool = 8;          ///< x, y, z [m], qw, qx, qy, qz, jaw.
 constexpr std::size_t most_ticks = 65536;  ///< In a chunk; a count beyond is damage, not a request for memory.
-constexpr std::size_t most_tools = 16;             ///< For the same reason.
+constexpr std::size_t most_tools = 16;     ///< For the same reason.
 
 /// head: one row. chunk: inputs of `ticks` ticks from `first_tick`, packed as below. finished: a row once complete.
 constexpr const char* tables = R"(
