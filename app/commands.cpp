@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/checks.hpp"
+
 namespace app {
 
 std::function<int()>& chosen_command() {
@@ -9,6 +11,9 @@ std::function<int()>& chosen_command() {
     return chosen;
 }
 
-void add_commands(CLI::App& program) { (void)program; }
+void add_commands(CLI::App& program) {
+    add_validate(program);
+    add_explain(program);
+}
 
 }  // namespace app

@@ -1,0 +1,205 @@
+#include "app/commands/effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "scenarios/drill/materials.hpp"
+
+namespace app {
+
+using scenarios::drill::Drill;
+using scenarios::drill::Material;
+using scenarios::drill::material_named;
+
+namespace {
+
+constexpr double g = 9.81;               ///< [m/s^2]
+constexpr double handling_N = 0.02;      ///< Tension while a thread is moved about.
+constexpr double slack_N = 1e-4;         ///< Tension of a loop that hangs free.
+constexpr double tissue_pull_N = 0.1;    ///< Pull of a thread on a vessel while a throw is laid.
+constexpr double wall_modulus = 0.3e6;   ///< [Pa] Arterial wall at handling strain; 0.26 MPa from [Konig2009].
+constexpr double yield_strain = 0.04;    ///< Of polypropylene, 3 to 5 %; braids yield by sliding instead.
+constexpr double retention_N = 1.35;     ///< Pull that tears a 0.4 mm wall at a 2 mm bite [Konig2009].
+constexpr double pressure_Pa = 13.33e3;  ///< 100 mmHg.
+
+/// What the formulas need of a thread. SI.
+struct Rod {
+    double length, diameter, weight_per_m, axial, bending, twisting, break_force;
+
+    explicit Rod(const scenarios::world::ThreadDef& def) {
+        const double area = std::numbers::pi / 4 * def.diameter * def.diameter;
+        const Material& material = material_named(def.material);
+        length = def.length;
+        diameter = def.diameter;
+        weight_per_m = def.density * area * g;
+        axial = def.young_modulus * area;
+        // A braid bends more easily than it stretches; a modulus set by hand keeps the ratio of its material.
+        const double bending_modulus = def.young_modulus * material.bending_young_MPa / material.young_MPa;
+        bending = bending_modulus * std::numbers::pi / 64 * std::pow(def.diameter, 4);
+        twisting = bending / 1.35;  // round and isotropic, Poisson's ratio 0.35
+        break_force = def.break_force;
+    }
+};
+
+template <typename... Values>
+std::string text(const char* format, Values... values) {
+    char line[400];
+    std::snprintf(line, sizeof line, format, values...);
+    return line;
+}
+
+// A cantilever's tail sags by w L^4 / (8 B), which over L is (L / L_g)^3 / 8 with L_g = (B / w)^(1/3).
+Effect gravity(const Rod& rod) {
+    const double gravito_bending = std::cbrt(rod.bending / rod.weight_per_m), ratio = rod.length / gravito_bending;
+    const double one_percent = std::cbrt(0.08) * gravito_bending;
+    const double sag = rod.weight_per_m * rod.length * rod.length / (8 * handling_N);
+    return {"gravity",
+            false,
+            "L / (B / mg)^(1/3)",
+            ratio,
+            text("free tails over %.0f mm should sag by more than 1 %% of their length and stay straight; held at both "
+                 "ends at "
+                 "20 mN the whole length should sag %.2f mm",
+                 one_percent * 1000, sag * 1000),
+            "would cost one addition per node"};
+}
+
+// A pulled thread rounds a corner over sqrt(B / T).
+Effect bending(const Rod& rod, int links) {
+    const double rounding = std::sqrt(rod.bending / handling_N), link = rod.length / links;
+    return {"bending",
+            false,
+            "sqrt(B / T) / link",
+            rounding / link,
+            text("corners at 20 mN should be rounded over %.2f mm (a link is %.2f mm) and slack loops should spring "
+                 "open; at "
+                 "1 N it is %.3f mm, nothing",
+                 rounding * 1000, link * 1000, std::sqrt(rod.bending) * 1000),
+            "would cost the elastic mover"};
+}
+
+// A pulled rod writhes into a loop at n = L sqrt(4 B T) / (2 pi C) turns [Greenhill].
+Effect twist(const Rod& rod) {
+    const auto turns = [&](double tension) {
+        return rod.length * std::sqrt(4 * rod.bending * tension) / (2 * std::numbers::pi * rod.twisting);
+    };
+    return {"twist",
+            false,
+            "turns to writhe at 0.1 mN",
+            turns(slack_N),
+            text("none below %.1f turns of twist when slack (0.1 mN), %.0f when pulled (20 mN); an instrument tie adds "
+                 "about one a "
+                 "throw",
+                 turns(slack_N), turns(handling_N)),
+            "would cost one more unknown per link"};
+}
+
+Effect extension(const Rod& rod) {
+    return {
+        "extension",
+        false,
+        "T / EA at 20 mN",
+        handling_N / rod.axial,
+        text("the thread should be longer by %.2f %% in handling (20 mN) and by %.1f %% at its breaking load (%.2f N)",
+             100 * handling_N / rod.axial, 100 * rod.break_force / rod.axial, rod.break_force),
+        "would cost the elastic mover"};
+}
+
+Effect plastic_set(const Rod& rod) {
+    const double strain_at_break = rod.break_force / rod.axial;
+    return {"plastic_set",
+            false,
+            "strain at breaking load / yield strain",
+            strain_at_break / yield_strain,
+            text("a throw pulled beyond %.2f N should keep its shape and hold more; here it holds by friction alone",
+                 yield_strain * rod.axial),
+            "would cost a lock per contact"};
+}
+
+// Local strain of a wall pulled over 1 mm of width: F / (E t w).
+Effect tissue(const Drill& drill) {
+    double wall = 0;
+    for (const auto& vessel : drill.world.vessels)
+        if (vessel.mesh_file.empty()) wall = wall == 0 ? vessel.wall : std::min(wall, vessel.wall);
+    if (wall == 0)
+        return {"tissue",       false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate",
+                "costs nothing"};
+    const double strain = tissue_pull_N / (wall_modulus * wall * 1e-3);
+    return {"tissue",
+            false,
+            "F / (E t w) at 0.1 N, 1 mm",
+            strain,
+            text("a pull of 0.1 N should stretch the wall by about %.0f %%; the rigid vessel does not give way, so "
+                 "judge knots here, "
+                 "not tissue",
+                 100 * strain),
+            "would cost a solve of the vessel per tick"};
+}
+
+Effect tear(const Rod& rod) {
+    return {"tear",
+            false,
+            "breaking load / retention",
+            rod.break_force / retention_N,
+            text("a 0.4 mm wall should tear at about %.2f N at a 2 mm bite, %s; here it never does", retention_N,
+                 rod.break_force > retention_N ? "before this thread breaks" : "after this thread breaks"),
+            "would cost a threshold per puncture"};
+}
+
+Effect leak(const Drill& drill) {
+    double load = 0;
+    for (const auto& vessel : drill.world.vessels)
+        if (vessel.mesh_file.empty()) load = std::max(load, pressure_Pa * vessel.diameter / 4 * 1e-3);
+    return {"leak",
+            false,
+            "p R / 2 * 1 mm / retention",
+            load / retention_N,
+            text("blood pressure (100 mmHg) should load a stitch each millimetre with %.4f N, %.1f %% of what tears it",
+                 load, 100 * load / retention_N),
+            "would cost one evaluation at the end"};
+}
+
+// A rope that slides around an angle keeps 1 / e^(mu angle) of its tension (capstan); a throw is about 2 pi.
+Effect friction(const scenarios::world::ThreadDef& def) {
+    const double factor = std::exp(def.friction * 2 * std::numbers::pi);
+    return {"friction",
+            true,
+            "exp(mu 2 pi)",
+            factor,
+            text("always on: one throw holds %.1f times the pull on its tail; without it no knot holds", factor),
+            "part of every contact"};
+}
+
+// Clamped, free end: f1 = 3.516 / (2 pi L^2) sqrt(B / m). Hands move at up to 2 Hz.
+Effect inertia(const Rod& rod) {
+    const double free_length = std::min(rod.length, 0.05);
+    const double f1 =
+        3.516 / (2 * std::numbers::pi * free_length * free_length) * std::sqrt(rod.bending * g / rod.weight_per_m);
+    return {"inertia",
+            false,
+            "(f / f1)^2 at 2 Hz",
+            4 / (f1 * f1),
+            text("always off: a free tail of %.0f mm should swing behind a hand at 2 Hz by %.1f %%", free_length * 1000,
+                 400 / (f1 * f1)),
+            "would cost the elastic mover"};
+}
+
+}  // namespace
+
+std::vector<Effect> effects_of(const Drill& drill) {
+    const Rod rod(drill.world.thread);
+    return {friction(drill.world.thread),
+            gravity(rod),
+            bending(rod, drill.world.thread.links),
+            twist(rod),
+            extension(rod),
+            plastic_set(rod),
+            tissue(drill),
+            tear(rod),
+            leak(drill),
+            inertia(rod)};
+}
+
+}  // namespace app

@@ -1,0 +1,66 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/commands/checks.hpp"
+#include "app/commands/effects.hpp"
+#include "app/fault.hpp"
+
+namespace app {
+
+namespace {
+
+struct Options {
+    std::string file;
+    bool json = false;
+};
+
+std::string shown(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+void print_json(const scenarios::drill::Drill& drill) {
+    nlohmann::ordered_json effects;
+    for (const auto& effect : effects_of(drill))
+        effects.push_back({{"name", effect.name},
+                           {"on", effect.on},
+                           {"group", effect.group},
+                           {"value", effect.value},
+                           {"error", effect.error},
+                           {"cost", effect.cost}});
+    const nlohmann::ordered_json report = {{"effects", effects},
+                                           {"drill", nlohmann::ordered_json::parse(drill.filled)}};
+    std::cout << report.dump(2) << '\n';
+}
+
+void print(const scenarios::drill::Drill& drill) {
+    std::cout << drill.title << "\n\n";
+    for (const auto& effect : effects_of(drill))
+        std::cout << effect.name << ": " << (effect.on ? "on" : "off") << "\n    " << effect.group << " = "
+                  << shown(effect.value) << "\n    " << effect.error << "\n    " << effect.cost << '\n';
+    std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';
+}
+
+int explain(const Options& options) try {
+    const scenarios::drill::Drill drill = scenarios::drill::load_drill(options.file);
+    options.json ? print_json(drill) : print(drill);
+    return 0;
+} catch (const scenarios::drill::FileError& fault) {
+    throw InputFault(fault.what());
+}
+
+}  // namespace
+
+void add_explain(CLI::App& program) {
+    auto* command = program.add_subcommand(
+        "explain", "Effects on and off, the error of leaving each out and its cost; defaults filled in");
+    auto options = std::make_shared<Options>();
+    command->add_option("DRILL", options->file, "Drill file (.json)")->required();
+    command->add_flag("--json", options->json, "One JSON object on stdout");
+    command->callback([options] { chosen_command() = [options] { return explain(*options); }; });
+}
+
+}  // namespace app

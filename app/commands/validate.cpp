@@ -1,0 +1,68 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/commands/checks.hpp"
+#include "scenarios/drill/drill.hpp"
+#include "scenarios/drill/motion.hpp"
+
+namespace app {
+
+namespace {
+
+struct Options {
+    std::vector<std::string> files;
+    bool json = false, schema = false;
+};
+
+void check(const std::string& file) {
+    const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
+    if (drill.motion.empty()) return;
+    std::vector<std::string> names;
+    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
+    scenarios::drill::load_motion(drill.motion, names);
+}
+
+// Every file is looked at, so that an author with ten drills mends them in one go.
+int validate(const Options& options) {
+    if (options.schema) {
+        std::cout << scenarios::drill::drill_schema();
+        return 0;
+    }
+    bool valid = true;
+    nlohmann::ordered_json report = {{"drills", nlohmann::ordered_json::array()}};
+    for (const std::string& file : options.files) {
+        std::string error;
+        try {
+            check(file);
+        } catch (const scenarios::drill::FileError& fault) {
+            error = fault.what();
+            valid = false;
+            std::cerr << error << '\n';
+        }
+        nlohmann::ordered_json entry = {{"file", file}, {"valid", error.empty()}};
+        if (!error.empty()) entry["error"] = error;
+        report["drills"].push_back(entry);
+        if (!options.json && error.empty()) std::cout << file << ": valid\n";
+    }
+    if (options.json) std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    return valid ? 0 : 2;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& program) {
+    auto* command =
+        program.add_subcommand("validate", "Check drill files, and the motions they name, without running them");
+    auto options = std::make_shared<Options>();
+    auto* files = command->add_option("DRILL", options->files, "Drill files (.json)");
+    auto* schema = command->add_flag("--schema", options->schema, "Print the JSON Schema of drill files instead");
+    command->add_flag("--json", options->json, "One JSON object on stdout");
+    command->callback([options, files, schema] {
+        if (files->empty() && schema->empty()) throw CLI::RequiredError("DRILL");
+        chosen_command() = [options] { return validate(*options); };
+    });
+}
+
+}  // namespace app

@@ -1,0 +1,236 @@
+#include "scenarios/drill/drill.hpp"
+
+#include <algorithm>
+
+#include "scenarios/drill/json_text.hpp"
+#include "scenarios/drill/keys.hpp"
+#include "scenarios/drill/materials.hpp"
+#include "scenarios/drill/start_path.hpp"
+
+namespace scenarios::drill {
+
+namespace {
+
+constexpr std::size_t most_bytes = 4 << 20;  ///< A path of 2000 points takes 100 kB.
+constexpr std::size_t most_mesh_bytes = 256 << 20;
+
+double metres(const json& mm) {
+    return mm.get<double>() / 1000;
+}
+
+world::Vec3 point(const json& mm) {
+    return {metres(mm[0]), metres(mm[1]), metres(mm[2])};
+}
+
+/// Turns a document that fits drill_shape() into a Drill, and checks what one value says about another.
+class Reader {
+  public:
+    Reader(const JsonText& document, std::filesystem::path base) : document_(document), base_(std::move(base)) {}
+
+    Drill read() {
+        if (const auto problem = first_problem(document_.value(), drill_shape()))
+            document_.fail(problem->pointer, problem->what, problem->at_key);
+        filled_ = with_defaults(document_.value(), drill_shape());
+        drill_.title = filled_["title"];
+        drill_.description = filled_.value("description", "");
+        drill_.time_limit_s = filled_["time_limit_s"];
+        if (filled_.contains("motion")) drill_.motion = base_ / filled_["motion"].get<std::string>();
+        read_instruments();
+        read_vessels();
+        read_thread();
+        read_goals();
+        read_bands();
+        drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
+        return drill_;
+    }
+
+    void check_files() const {
+        for (std::size_t i = 0; i < drill_.world.vessels.size(); ++i) check_mesh(i);
+        if (!drill_.motion.empty() && !std::filesystem::is_regular_file(drill_.motion))
+            document_.fail("/motion", "no such file: " + drill_.motion.string());
+    }
+
+  private:
+    void check_mesh(std::size_t i) const {
+        const json& vessel = filled_["vessels"][i];
+        if (!vessel.contains("mesh")) return;
+        const std::string pointer = "/vessels/" + std::to_string(i) + "/mesh/";
+        const std::filesystem::path file = drill_.world.vessels[i].mesh_file;
+        if (!std::filesystem::is_regular_file(file)) document_.fail(pointer + "file", "no such file: " + file.string());
+        const std::string found = sha256(read_text(file, most_mesh_bytes));
+        if (found != vessel["mesh"]["sha256"])
+            document_.fail(pointer + "sha256", "the file is not the one meant, its SHA-256 is " + found);
+    }
+
+    // Names are looked up from goals, bands and motions, so each stands for one thing.
+    void check_new(const std::string& name, const std::string& pointer, const auto& others) const {
+        for (const auto& other : others)
+            if (other.name == name)
+                document_.fail(pointer, "\"" + name + "\" is named twice, expected different names");
+    }
+
+    void read_instruments() {
+        auto& instruments = drill_.world.instruments;
+        for (const json& entry : filled_["instruments"]) {
+            check_new(entry["name"], "/instruments/" + std::to_string(instruments.size()) + "/name", instruments);
+            const bool holder = entry["kind"] == "needle_holder";
+            instruments.push_back(
+                {entry["name"], holder ? instruments::Kind::needle_holder : instruments::Kind::forceps});
+        }
+    }
+
+    void read_vessels() {
+        auto& vessels = drill_.world.vessels;
+        for (const json& entry : filled_["vessels"]) {
+            const std::string place = "/vessels/" + std::to_string(vessels.size());
+            check_new(entry["name"], place + "/name", vessels);
+            world::VesselDef vessel;
+            vessel.name = entry["name"];
+            vessel.centre = point(entry["centre_mm"]);
+            vessel.axis = point(entry["axis"]);
+            if (vessel.axis.isZero(0))
+                document_.fail(place + "/axis", "has no direction, expected one component other than 0");
+            vessel.axis.normalize();
+            if (entry.contains("mesh")) {
+                vessel.mesh_file = (base_ / entry["mesh"]["file"].get<std::string>()).string();
+            } else {
+                const json& tube = entry["tube"];
+                vessel.diameter = metres(tube["diameter_mm"]);
+                vessel.wall = metres(tube["wall_mm"]);
+                vessel.length = metres(tube["length_mm"]);
+                if (vessel.wall >= vessel.diameter / 2)
+                    document_.fail(place + "/tube/wall_mm", "expected less than half of diameter_mm, which is " +
+                                                                shown(tube["diameter_mm"].get<double>()) + " mm");
+            }
+            vessels.push_back(vessel);
+        }
+    }
+
+    void read_thread() {
+        json& entry = filled_["thread"];
+        const Size& size = size_named(entry["size"]);
+        const Material& material = material_named(entry["material"]);
+        const auto fallback = [&](const char* key, double value) {
+            if (!entry.contains(key)) entry[key] = value;
+        };
+        fallback("diameter_mm", size.diameter_mm);
+        fallback("break_N", size.break_N);
+        fallback("young_MPa", material.young_MPa);
+        fallback("density_kg_m3", material.density_kg_m3);
+        world::ThreadDef& thread = drill_.world.thread;
+        thread.size = entry["size"];
+        thread.material = entry["material"];
+        thread.mover = entry["mover"];
+        thread.diameter = metres(entry["diameter_mm"]);
+        thread.length = metres(entry["length_mm"]);
+        thread.young_modulus = entry["young_MPa"].get<double>() * 1e6;
+        thread.density = entry["density_kg_m3"];
+        thread.break_force = entry["break_N"];
+        thread.friction = entry["friction"];
+        thread.friction_tool = entry["friction_tool"];
+        thread.links = static_cast<int>(entry["links"].get<double>());
+        if (thread.length / thread.links < thread.diameter)
+            document_.fail("/thread/links", "links would be shorter than the thread is thick, expected at most " +
+                                                std::to_string(static_cast<int>(thread.length / thread.diameter)));
+        read_start(entry);
+    }
+
+    void read_start(json& entry) {
+        world::ThreadDef& thread = drill_.world.thread;
+        if (!entry.contains("start_mm")) entry["start_mm"] = straight_start(drill_.world);
+        for (const json& corner : entry["start_mm"]) thread.start.push_back(point(corner));
+        if (const auto wrong = cut_and_check_start(drill_.world))
+            document_.fail("/thread/start_mm" + (wrong->at < 0 ? "" : "/" + std::to_string(wrong->at)), wrong->what);
+    }
+
+    Band band(const json& entry, const std::string& pointer) const {
+        if (entry.is_object()) return {0, entry["max"]};
+        const Band read{entry[0], entry[1]};
+        if (read.low > read.high)
+            document_.fail(pointer, "expected [low, high], found " + shown(read.low) + " above " + shown(read.high));
+        return read;
+    }
+
+    void read_goals() {
+        for (const json& entry : filled_["goals"]) {
+            const std::string place = "/goals/" + std::to_string(drill_.goals.size());
+            Goal goal;
+            goal.tie = entry["tie"];
+            goal.around = entry.value("around", "");
+            const auto& vessels = drill_.world.vessels;
+            if (!goal.around.empty() &&
+                std::none_of(vessels.begin(), vessels.end(), [&](auto& v) { return v.name == goal.around; }))
+                document_.fail(place + "/around", "no vessel is named \"" + goal.around + "\"");
+            if (entry.contains("throws") && entry["throws"].is_string()) goal.notation = entry["throws"];
+            if (entry.contains("throws") && entry["throws"].is_number())
+                goal.throws = static_cast<int>(entry["throws"].get<double>());
+            if (entry.contains("tails_mm")) goal.tails_mm = band(entry["tails_mm"], place + "/tails_mm");
+            drill_.goals.push_back(goal);
+        }
+    }
+
+    std::vector<std::optional<Band>> bands_per_instrument(const std::string& key) const {
+        const json& entries = filled_["bands"][key];
+        std::vector<std::optional<Band>> read;
+        std::size_t used = 0;
+        for (const auto& instrument : drill_.world.instruments) {
+            read.emplace_back();
+            if (!entries.contains(instrument.name)) continue;
+            read.back() = band(entries[instrument.name], "/bands/" + key + "/" + instrument.name);
+            ++used;
+        }
+        if (used == entries.size()) return read;
+        for (const auto& [name, entry] : entries.items()) check_known(name, "/bands/" + key + "/" + pointer_part(name));
+        return read;
+    }
+
+    void check_known(const std::string& name, const std::string& pointer) const {
+        for (const auto& instrument : drill_.world.instruments)
+            if (instrument.name == name) return;
+        document_.fail(pointer, "no instrument has this name", true);
+    }
+
+    void read_bands() {
+        const json& entries = filled_["bands"];
+        Bands& bands = drill_.bands;
+        if (entries.contains("time_s")) bands.time_s = band(entries["time_s"], "/bands/time_s");
+        if (entries.contains("tension_N")) bands.tension_N = band(entries["tension_N"], "/bands/tension_N");
+        bands.pass_throughs = band(entries["pass_throughs"], "/bands/pass_throughs");
+        bands.path_mm = bands_per_instrument("path_mm");
+        bands.grasps = bands_per_instrument("grasps");
+        bands.lag_mm = bands_per_instrument("lag_mm");
+    }
+
+    const JsonText& document_;
+    std::filesystem::path base_;
+    json filled_;
+    Drill drill_;
+};
+
+}  // namespace
+
+Drill parse_drill(const std::string& text, const std::string& name, const std::filesystem::path& base) {
+    const JsonText document(text, name);
+    Drill drill = Reader(document, base).read();
+    drill.text = text;
+    return drill;
+}
+
+Drill load_drill(const std::filesystem::path& file) {
+    const std::string text = read_text(file, most_bytes);
+    const JsonText document(text, file.string());
+    Reader reader(document, file.parent_path());
+    Drill drill = reader.read();
+    reader.check_files();
+    drill.text = text;
+    return drill;
+}
+
+std::string drill_schema() {
+    nlohmann::ordered_json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                                     {"title", "Carrel drill"}};
+    schema.update(schema_of(drill_shape()));
+    return laid_out(schema) + "\n";
+}
+
+}  // namespace scenarios::drill

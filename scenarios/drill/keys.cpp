@@ -1,0 +1,175 @@
+#include "scenarios/drill/keys.hpp"
+
+#include "scenarios/drill/materials.hpp"
+
+namespace scenarios::drill {
+
+namespace {
+
+Shape quantity(const std::string& about, double low, double high, const std::string& unit = "") {
+    return {.types = number, .about = about, .low = low, .high = high, .unit = unit};
+}
+
+Shape count(const std::string& about, double low, double high) {
+    return {.types = integer, .about = about, .low = low, .high = high};
+}
+
+Shape words(const std::string& about) {
+    return {.types = text, .about = about};
+}
+
+Shape choice(const std::string& about, std::vector<json> choices, const std::string& why_only = "") {
+    return {.types = text, .about = about, .choices = std::move(choices), .why_only = why_only};
+}
+
+Shape list(const std::string& about, std::size_t min_items, std::size_t max_items, Shape item) {
+    return {.types = array, .about = about, .min_items = min_items, .max_items = max_items, .items = {std::move(item)}};
+}
+
+Shape group(const std::string& about, std::vector<Key> keys) {
+    return {.types = object, .about = about, .keys = std::move(keys)};
+}
+
+// Names join drill, motion and report, where they stand between commas and in file names.
+Shape name(const std::string& about) {
+    return {.types = text,
+            .about = about,
+            .pattern = "^[A-Za-z][A-Za-z0-9_-]{0,39}$",
+            .pattern_words = "a letter and up to 39 letters, digits, '_' or '-'"};
+}
+
+Shape point(const std::string& about) {
+    return list(about, 3, 3, quantity("x, y or z in the world.", -1000, 1000, "mm"));
+}
+
+template <typename Table>
+std::vector<json> names_of(const Table& table) {
+    std::vector<json> names;
+    for (const auto& entry : table) names.push_back(entry.name);
+    return names;
+}
+
+// [low, high] or {"max": high}.
+Shape band(const std::string& about, double high, const std::string& unit) {
+    return {.types = array | object,
+            .about = about + " Passes inside [low, high], or at most {\"max\": high}.",
+            .min_items = 2,
+            .max_items = 2,
+            .items = {quantity("End of the band.", 0, high, unit)},
+            .keys = {{"max", quantity("Upper end; the lower is 0.", 0, high, unit), true}}};
+}
+
+Shape per_instrument(const std::string& about, double high, const std::string& unit) {
+    return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {band("", high, unit)}};
+}
+
+Shape thread() {
+    // The lower bound of the diameter is that of 11-0. Links shorter than a diameter would be their own neighbours'
+    // contacts; the loader checks that apart. 5000 links are 0.2 mm each at a metre.
+    return group(
+        "The suture. Numbers given here win over those of size and material.",
+        {{"size", choice("USP size; gives diameter_mm and break_N.", names_of(sizes())), false, "6-0"},
+         {"material", choice("Gives young_MPa and density_kg_m3.", names_of(materials())), false, "polypropylene"},
+         {"length_mm", quantity("Length at rest.", 5, 1000, "mm"), true},
+         {"diameter_mm", quantity("Thickness.", 0.01, 1, "mm")},
+         {"young_MPa", quantity("Young's modulus along the thread.", 1, 300000, "MPa")},
+         {"density_kg_m3", quantity("Density.", 500, 20000, "kg/m^3")},
+         {"break_N", quantity("Tension at which a knotted thread breaks.", 0.01, 200, "N")},
+         {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false, 0.15},
+         {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false, 0.15},
+         {"links", count("Straight pieces the thread is cut into.", 2, 5000), false, 300},
+         {"mover", choice("How the thread is moved.", {"ftl"}, "this version has one way to move a thread, "), false,
+          "ftl"},
+         {"start_mm",
+          list("Path of the thread at the start, at least length_mm long; what is longer is cut off.", 2, 2000,
+               point("A corner of the path.")),
+          false}});
+}
+
+Shape vessel() {
+    const Shape tube =
+        group("A tube by numbers.", {{"diameter_mm", quantity("Outer diameter.", 0.3, 60, "mm"), true},
+                                     {"wall_mm", quantity("Thickness of the wall.", 0.02, 5, "mm"), true},
+                                     {"length_mm", quantity("Length.", 1, 500, "mm"), true}});
+    const Shape hash = {.types = text,
+                        .about = "SHA-256 of the file.",
+                        .pattern = "^[0-9a-f]{64}$",
+                        .pattern_words = "64 hex digits, lower case"};
+    const Shape mesh =
+        group("A closed triangle mesh written in mm.",
+              {{"file", words("Path from the drill file: .obj, .ply or .stl."), true}, {"sha256", hash, true}});
+    Shape shape =
+        group("A vessel. In this version rigid, so it stays where it is whether held or not.",
+              {{"name", name("How goals call it."), true},
+               {"tube", tube},
+               {"mesh", mesh},
+               {"centre_mm", point("Middle of the vessel."), false, json::array({0, 0, 0})},
+               {"axis", list("Direction of a tube, any length but zero.", 3, 3, quantity("Component.", -1000, 1000)),
+                false, json::array({1, 0, 0})},
+               {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
+                json::array({"start", "end"})}});
+    shape.one_of = {"tube", "mesh"};
+    return shape;
+}
+
+Shape instrument() {
+    return group("A tool.", {{"name", name("As in motion files."), true},
+                             {"kind", choice("What it is.", {"forceps", "needle_holder"}), true}});
+}
+
+Shape effects() {
+    const std::string only = "this version cannot simulate more, ";
+    std::vector<Key> keys;
+    for (const char* effect : {"gravity", "bending", "twist", "extension", "plastic_set", "tear", "leak"})
+        keys.push_back({effect, {.types = boolean, .choices = {false}, .why_only = only}, false, false});
+    keys.push_back({"tissue", choice("Deformation of vessels.", {"rigid"}, only), false, "rigid"});
+    return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));
+}
+
+Shape goal() {
+    Shape throws = count("Number of throws, or their notation after Tera and Aberg: \"2=1\".", 1, 20);
+    throws.types = integer | text;
+    throws.pattern = "^[1-9]([=x][1-9]){0,19}$";
+    throws.pattern_words = "turns of each throw joined by '=' (reversed) or 'x' (same way), such as \"2=1\"";
+    return group(
+        "What the thread must be at the end.",
+        {{"tie", choice("Knot.", {"square", "granny", "surgeons", "overhand", "slip"}), true},
+         {"around", name("Vessel that the thread goes around.")},
+         {"throws", throws},
+         {"tails_mm", list("Shortest and longest tail allowed.", 2, 2, quantity("Length of a tail.", 0, 1000, "mm"))}});
+}
+
+Shape bands() {
+    return group(
+        "Bands of scored items. An item without a band is shown, not judged.",
+        {{"time_s", band("Duration.", 7200, "s"), false},
+         {"path_mm", per_instrument("Path of the tip.", 1e6, "mm"), false, json::object()},
+         {"grasps", per_instrument("Times the thread was grasped.", 10000, ""), false, json::object()},
+         {"tension_N", band("Largest tension of the thread.", 200, "N"), false},
+         {"lag_mm",
+          per_instrument("Largest distance between hand and tool when a taut thread holds it back.", 1000, "mm"), false,
+          json::object()},
+         {"pass_throughs", band("Times the thread passed through something.", 1e9, ""), false, json{{"max", 0}}}});
+}
+
+}  // namespace
+
+const Shape& drill_shape() {
+    static const Shape shape =
+        group("A drill for carrel. Units stand in the names of keys.",
+              {{"$schema", words("For editors; not read.")},
+               {"carrel_drill", {.types = integer, .about = "Version of this format.", .choices = {1}}, true},
+               {"title", words("For people, one line."), true},
+               {"description", words("For people.")},
+               {"thread", thread(), true},
+               {"vessels", list("What is operated on.", 0, 16, vessel()), false, json::array()},
+               {"instruments", list("The tools, at most one a hand.", 1, 2, instrument()), true},
+               {"effects", effects(), false, json::object()},
+               {"goals", list("At most one in this version.", 0, 1, goal()), false, json::array()},
+               {"bands", bands(), false, json::object()},
+               {"time_limit_s", quantity("The drill ends then.", 0.1, 7200, "s"), true},
+               {"motion", words("Motion file (.csv) that plays the drill, path from the drill file.")}});
+    return shape;
+}
+
+}  // namespace scenarios::drill

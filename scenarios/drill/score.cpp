@@ -1,0 +1,212 @@
+#include "scenarios/drill/score.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+#include "scenarios/drill/shape.hpp"
+
+namespace scenarios::drill {
+
+namespace {
+
+using sim::knot::Name;
+
+// "surgeon's" is written without its apostrophe in drill files.
+std::string tie_of(const Name& name) {
+    std::string tie = name.surgical;
+    std::erase(tie, '\'');
+    return tie;
+}
+
+std::string in_words(const std::string& tie) {
+    return tie == "surgeons" ? "surgeon's" : tie;
+}
+
+std::string as_found(const Name& name) {
+    if (!name.surgical.empty()) return name.surgical;
+    return name.knot == "0_1" ? "none" : name.knot;
+}
+
+struct Lesson {
+    const char *asked, *tied, *why;
+};
+
+// What a teacher would say of the commonest exchanges.
+constexpr Lesson lessons[] = {
+    {"square", "granny",
+     "The second throw went the same way round as the first: a granny, which slips. Reverse the second wrap."},
+    {"square", "surgeons", "The first throw was wrapped twice: a surgeon's knot. Wrap once for a square knot."},
+    {"square", "overhand",
+     "There is only one throw, which will not hold. Add a second one, wrapped the other way round."},
+    {"square", "slip",
+     "One strand stayed straight, so the throws slide along it: a slip knot. Cross hands and pull both tails evenly."},
+    {"granny", "square", "The second throw was reversed: a square knot. A granny repeats the same wrap."},
+    {"granny", "overhand", "There is only one throw. Repeat the same wrap for a granny."},
+    {"surgeons", "square",
+     "The first throw was wrapped once: a square knot. Wrap twice in the first throw of a surgeon's knot."},
+    {"surgeons", "granny",
+     "The first throw was wrapped once and the second went the same way round: a granny, which slips. Wrap twice "
+     "first, then once the other way round."},
+    {"surgeons", "overhand",
+     "There is only one throw. After the double wrap add a single one, wrapped the other way round."},
+    {"overhand", "square", "There are two throws. An overhand knot is one."},
+    {"overhand", "granny", "There are two throws. An overhand knot is one."},
+};
+
+std::string why_not_tied(const std::string& asked, const Name& found) {
+    if (found.knot == "0_1" && found.surgical.empty())
+        return "There is no knot in the thread: the throw was not pulled through, or came undone.";
+    for (const Lesson& lesson : lessons)
+        if (asked == lesson.asked && tie_of(found) == lesson.tied) return lesson.why;
+    if (!found.certain)
+        return "The knot could not be named with certainty. Tie the throws one at a time and pull each flat.";
+    return "The thread is tied in another knot than the " + in_words(asked) +
+           " knot asked for. Tie the throws one at a time.";
+}
+
+std::string fixed(double value, int digits) {
+    char text[400];
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr};
+}
+
+std::string in_words(const Band& band) {
+    if (band.low > 0 && std::isinf(band.high)) return "at least " + shown(band.low);
+    if (band.low > 0) return shown(band.low) + " to " + shown(band.high);
+    return band.high == 0 ? "0" : "at most " + shown(band.high);
+}
+
+struct Reading {
+    std::string name, title, unit;
+    double value;
+    int digits;
+    double at_s;
+    std::string too_much, too_little;
+};
+
+ScoreItem judged(const Reading& reading, const std::optional<Band>& band) {
+    ScoreItem item{
+        reading.name, reading.title, fixed(reading.value, reading.digits), reading.unit, "", true, reading.at_s, ""};
+    if (!band) return item;
+    item.band = in_words(*band);
+    item.passed = band->holds(reading.value);
+    if (!item.passed) item.why = reading.value > band->high ? reading.too_much : reading.too_little;
+    return item;
+}
+
+void score_knot(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    const Name& name = measures.knot;
+    ScoreItem item{"knot",
+                   "Knot",
+                   as_found(name),
+                   "",
+                   in_words(goal.tie),
+                   name.certain && tie_of(name) == goal.tie,
+                   measures.knot_since_s,
+                   ""};
+    if (!item.passed) item.why = why_not_tied(goal.tie, name);
+    items.push_back(item);
+}
+
+void score_throws(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    if (goal.throws == 0 && goal.notation.empty()) return;
+    const std::string& found = measures.knot.throws;
+    const auto count = std::count_if(found.begin(), found.end(), [](char c) { return c >= '1' && c <= '9'; });
+    ScoreItem item{"throws", "Throws", "", "", "", false, measures.knot_since_s, ""};
+    if (!goal.notation.empty()) {
+        item.value = found.empty() ? "none" : found;
+        item.band = goal.notation;
+        item.passed = found == goal.notation;
+        item.why = "The throws are " + item.value + ", asked were " + goal.notation +
+                   ": digits count wraps, '=' is a reversed throw, 'x' one the same way round.";
+    } else {
+        item.value = std::to_string(count);
+        item.band = std::to_string(goal.throws);
+        item.passed = count == goal.throws;
+        item.why = count < goal.throws ? "Throws are missing: a monofilament unties with too few."
+                                       : "There are more throws than asked: they add bulk, not strength.";
+    }
+    if (item.passed) item.why.clear();
+    items.push_back(item);
+}
+
+void score_tails(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    if (!goal.tails_mm) return;
+    const std::vector<double> none = {0, 0};
+    const auto& tails = measures.tail_mm.empty() ? none : measures.tail_mm;
+    const auto [shorter, longer] = std::minmax_element(tails.begin(), tails.end());
+    const std::string too_long = "The tail is longer than asked. Cut it, or start with less thread on this side.";
+    const std::string too_short =
+        "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
+    items.push_back(judged(
+        {"tail_short", "Shorter tail", "mm", *shorter, 2, measures.knot_since_s, too_long, too_short}, goal.tails_mm));
+    items.push_back(judged({"tail_long", "Longer tail", "mm", *longer, 2, measures.knot_since_s, too_long, too_short},
+                           goal.tails_mm));
+}
+
+void score_tools(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    const auto& tools = drill.world.instruments;
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const std::string& tool = tools[i].name;
+        items.push_back(
+            judged({"path_" + tool, "Path length, " + tool + " tool", "mm", measures.path_mm[i], 1, measures.duration_s,
+                    "The tool travelled further than needed. Plan each move and keep the tip near the knot.",
+                    "The tool travelled less than a full tie needs."},
+                   drill.bands.path_mm[i]));
+    }
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const std::string& tool = tools[i].name;
+        items.push_back(judged(
+            {"grasps_" + tool, "Grasps, " + tool + " tool", "", static_cast<double>(measures.grasps[i]), 0,
+             measures.duration_s,
+             "The thread was grasped more often than needed, and each grasp bruises it. Place the jaws once and close.",
+             "The thread was grasped less often than a tie needs."},
+            drill.bands.grasps[i]));
+    }
+}
+
+void score_lag(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    for (std::size_t i = 0; i < drill.world.instruments.size(); ++i) {
+        const std::string& tool = drill.world.instruments[i].name;
+        items.push_back(judged({"lag_" + tool, "Pull beyond a taut thread, " + tool + " tool", "mm",
+                                measures.lag_max_mm[i].value, 2, measures.lag_max_mm[i].at_s,
+                                "The hand went on pulling after the thread was taut. Stop when the slack is gone.",
+                                "The thread was never pulled taut, so the throws are loose."},
+                               drill.bands.lag_mm[i]));
+    }
+}
+
+}  // namespace
+
+std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures) {
+    const std::size_t tools = drill.world.instruments.size();
+    assert(measures.path_mm.size() == tools && measures.grasps.size() == tools && measures.lag_max_mm.size() == tools &&
+           "one measure per instrument");
+    std::vector<ScoreItem> items;
+    for (const Goal& goal : drill.goals) {
+        score_knot(goal, measures, items);
+        score_throws(goal, measures, items);
+        score_tails(goal, measures, items);
+    }
+    items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
+                            "The drill took longer than allowed.", "The drill was ended before a tie can be done."},
+                           drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));
+    score_tools(drill, measures, items);
+    items.push_back(
+        judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s,
+                "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop "
+                "when the throw is flat.",
+                "The throws were never pulled tight, so they are loose."},
+               drill.bands.tension_N));
+    score_lag(drill, measures, items);
+    items.push_back(judged({"pass_throughs", "Pass-throughs", "", static_cast<double>(measures.pass_throughs), 0,
+                            measures.first_pass_through_s,
+                            "The simulated thread passed through something solid: the fault is the simulator's and "
+                            "this session does not count.",
+                            ""},
+                           drill.bands.pass_throughs));
+    return items;
+}
+
+}  // namespace scenarios::drill

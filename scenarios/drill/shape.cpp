@@ -1,0 +1,246 @@
+#include "scenarios/drill/shape.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <regex>
+
+#include "scenarios/drill/json_text.hpp"
+#include "scenarios/drill/nearest.hpp"
+
+namespace scenarios::drill {
+
+namespace {
+
+using Found = std::optional<Problem>;
+
+struct TypeName {
+    Type type;
+    const char* article;
+    const char* schema;
+};
+constexpr TypeName type_names[] = {{boolean, "true or false", "boolean"},
+                                   {integer, "a whole number", "integer"},
+                                   {number, "a number", "number"},
+                                   {text, "a text", "string"},
+                                   {array, "a list", "array"},
+                                   {object, "an object", "object"}};
+
+// Largest double below which every whole number is one: beyond it "whole" says nothing.
+constexpr double largest_whole = 9007199254740992.0;
+
+unsigned types_of(const json& value) {
+    if (value.is_boolean()) return boolean;
+    if (value.is_string()) return text;
+    if (value.is_array()) return array;
+    if (value.is_object()) return object;
+    if (!value.is_number()) return 0;
+    const double x = value.get<double>();
+    return x == std::floor(x) && std::abs(x) <= largest_whole ? number | integer : number;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string line;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        line += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+    return line;
+}
+
+std::string shown(const json& value) {
+    if (value.is_number_float()) return drill::shown(value.get<double>());
+    if (value.is_null()) return "null";
+    if (value.is_array()) return "a list of " + std::to_string(value.size());
+    if (value.is_object()) return "an object";
+    const std::string dumped = value.dump(-1, ' ', true, json::error_handler_t::replace);
+    return dumped.size() > 60 ? dumped.substr(0, 56) + " ..." : dumped;
+}
+
+std::string kinds(unsigned types) {
+    std::vector<std::string> names;
+    for (const TypeName& name : type_names)
+        if (types & name.type) names.push_back(name.article);
+    return joined(names);
+}
+
+std::size_t characters(const std::string& utf8) {
+    return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+Found check_number(double x, const Shape& shape, const std::string& pointer, const json& value) {
+    if (x >= shape.low && x <= shape.high) return {};
+    const std::string unit = shape.unit.empty() ? "" : " " + shape.unit;
+    return Problem{pointer, "expected " + drill::shown(shape.low) + " to " + drill::shown(shape.high) + unit +
+                                ", found " + shown(value)};
+}
+
+Found check_text(const std::string& value, const Shape& shape, const std::string& pointer) {
+    const std::size_t length = characters(value);
+    if (length == 0) return Problem{pointer, "is empty, expected a text"};
+    if (length > longest_text)
+        return Problem{
+            pointer, "has " + std::to_string(length) + " characters, expected at most " + std::to_string(longest_text)};
+    if (shape.pattern.empty() || std::regex_search(value, std::regex(shape.pattern))) return {};
+    return Problem{pointer, "expected " + shape.pattern_words + ", found " + shown(json(value))};
+}
+
+Found check(const json& value, const Shape& shape, const std::string& pointer);
+
+Found check_array(const json& value, const Shape& shape, const std::string& pointer) {
+    if (value.size() < shape.min_items || value.size() > shape.max_items) {
+        const std::string range = shape.min_items == shape.max_items
+                                      ? std::to_string(shape.min_items)
+                                      : std::to_string(shape.min_items) + " to " + std::to_string(shape.max_items);
+        return Problem{pointer, "expected a list of " + range + " items, found " + std::to_string(value.size())};
+    }
+    for (std::size_t i = 0; i < value.size(); ++i)
+        if (auto problem = check(value[i], shape.items.front(), pointer + "/" + std::to_string(i))) return problem;
+    return {};
+}
+
+const Key* find_key(const std::vector<Key>& keys, const std::string& name) {
+    const auto found = std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+    return found == keys.end() ? nullptr : &*found;
+}
+
+Found check_object(const json& value, const Shape& shape, const std::string& pointer) {
+    for (const auto& [name, inner] : value.items()) {
+        const Key* key = find_key(shape.keys, name);
+        const std::string place = pointer + "/" + pointer_part(name);
+        if (!key && shape.other_keys.empty()) {
+            std::vector<std::string> known;
+            for (const Key& k : shape.keys) known.push_back(k.name);
+            return Problem{place, unknown_key(name, known), true};
+        }
+        if (auto problem = check(inner, key ? key->shape : shape.other_keys.front(), place)) return problem;
+    }
+    for (const Key& key : shape.keys)
+        if (key.required && !value.contains(key.name))
+            return Problem{pointer, "the key \"" + key.name + "\" is missing"};
+    const auto given =
+        std::count_if(shape.one_of.begin(), shape.one_of.end(), [&](auto& k) { return value.contains(k); });
+    if (!shape.one_of.empty() && given != 1)
+        return Problem{pointer, "expected exactly one of the keys \"" + shape.one_of[0] + "\" and \"" +
+                                    shape.one_of[1] + "\", found " + std::to_string(given)};
+    return {};
+}
+
+Found check(const json& value, const Shape& shape, const std::string& pointer) {
+    const unsigned types = types_of(value);
+    if (!(types & shape.types)) return Problem{pointer, "expected " + kinds(shape.types) + ", found " + shown(value)};
+    if (!shape.choices.empty()) {
+        if (std::find(shape.choices.begin(), shape.choices.end(), value) != shape.choices.end()) return {};
+        std::vector<std::string> allowed;
+        for (const json& choice : shape.choices) allowed.push_back(shown(choice));
+        return Problem{pointer, shape.why_only + "expected " + joined(allowed) + ", found " + shown(value)};
+    }
+    if (types & number) return check_number(value.get<double>(), shape, pointer, value);
+    if (types & text) return check_text(value.get_ref<const std::string&>(), shape, pointer);
+    if (types & array) return check_array(value, shape, pointer);
+    if (types & object) return check_object(value, shape, pointer);
+    return {};
+}
+
+// A whole number is written as one: "maximum": 5000, not 5000.0.
+json limit(double x) {
+    return types_of(json(x)) & integer ? json(static_cast<std::int64_t>(x)) : json(x);
+}
+
+}  // namespace
+
+std::string shown(double value) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+std::optional<Problem> first_problem(const json& value, const Shape& shape) {
+    return check(value, shape, "");
+}
+
+json with_defaults(const json& value, const Shape& shape) {
+    json filled = value;
+    if (value.is_array())
+        for (json& item : filled) item = with_defaults(item, shape.items.front());
+    if (!value.is_object()) return filled;
+    for (auto& [name, inner] : filled.items())
+        if (!find_key(shape.keys, name)) inner = with_defaults(inner, shape.other_keys.front());
+    for (const Key& key : shape.keys) {
+        if (filled.contains(key.name))
+            filled[key.name] = with_defaults(filled[key.name], key.shape);
+        else if (!key.fallback.is_null())
+            filled[key.name] = with_defaults(key.fallback, key.shape);
+    }
+    return filled;
+}
+
+nlohmann::ordered_json in_table_order(const json& value, const Shape& shape) {
+    if (value.is_array() && !shape.items.empty()) {
+        auto list = nlohmann::ordered_json::array();
+        for (const json& item : value) list.push_back(in_table_order(item, shape.items.front()));
+        return list;
+    }
+    if (!value.is_object()) return value;
+    auto ordered = nlohmann::ordered_json::object();
+    for (const Key& key : shape.keys)
+        if (value.contains(key.name)) ordered[key.name] = in_table_order(value[key.name], key.shape);
+    for (const auto& [name, inner] : value.items())
+        if (!find_key(shape.keys, name)) ordered[name] = in_table_order(inner, shape.other_keys.front());
+    return ordered;
+}
+
+std::string laid_out(const nlohmann::ordered_json& value, std::size_t indent) {
+    const std::string line = value.dump();
+    if (!value.is_structured() || indent + line.size() <= 100) return line;
+    const std::string margin = "\n" + std::string(indent, ' ');
+    std::string text;
+    for (const auto& [key, inner] : value.items()) {
+        text += (text.empty() ? "" : ",") + margin + "  ";
+        text += (value.is_object() ? json(key).dump() + ": " : "") + laid_out(inner, indent + 2);
+    }
+    return value.is_object() ? "{" + text + margin + "}" : "[" + text + margin + "]";
+}
+
+nlohmann::ordered_json schema_of(const Shape& shape) {
+    nlohmann::ordered_json schema;
+    if (!shape.about.empty()) schema["description"] = shape.about;
+    std::vector<std::string> types;
+    for (const TypeName& name : type_names)
+        if (shape.types & name.type) types.push_back(name.schema);
+    if (types.size() == 1)
+        schema["type"] = types.front();
+    else
+        schema["type"] = types;
+    if (!shape.choices.empty()) {
+        schema["enum"] = shape.choices;
+        return schema;
+    }
+    if (shape.types & (number | integer)) {
+        schema["minimum"] = limit(shape.low);
+        schema["maximum"] = limit(shape.high);
+    }
+    if (shape.types & text) {
+        schema["minLength"] = 1;
+        schema["maxLength"] = longest_text;
+        if (!shape.pattern.empty()) schema["pattern"] = shape.pattern;
+    }
+    if (shape.types & array) {
+        schema["minItems"] = shape.min_items;
+        schema["maxItems"] = shape.max_items;
+        schema["items"] = schema_of(shape.items.front());
+    }
+    if (!(shape.types & object)) return schema;
+    std::vector<std::string> required;
+    for (const Key& key : shape.keys) {
+        auto& inner = schema["properties"][key.name] = schema_of(key.shape);
+        if (!key.fallback.is_null()) inner["default"] = key.fallback;
+        if (key.required) required.push_back(key.name);
+    }
+    if (!required.empty()) schema["required"] = required;
+    for (const std::string& key : shape.one_of) schema["oneOf"].push_back({{"required", {key}}});
+    if (shape.other_keys.empty())
+        schema["additionalProperties"] = false;
+    else
+        schema["additionalProperties"] = schema_of(shape.other_keys.front());
+    return schema;
+}
+
+}  // namespace scenarios::drill

@@ -1,0 +1,23 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "scenarios/world/defs.hpp"
+
+namespace scenarios::drill {
+
+/// What is wrong with a start path: at which corner (-1: the whole), and what.
+struct StartProblem {
+    int at;
+    std::string what;
+};
+
+/// Cuts thread.start to thread.length, measured from its first corner, and checks that a thread can lie there: long
+/// enough, no corner given twice, clear of every tube and of itself. Cost: quadratic in corners.
+std::optional<StartProblem> cut_and_check_start(world::WorldDef& world);
+
+/// The path used when none is given: straight along y, 10 mm above the highest tube. [mm], as in a drill file.
+nlohmann::json straight_start(const world::WorldDef& world);
+
+}  // namespace scenarios::drill

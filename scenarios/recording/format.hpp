@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "instruments/tool.hpp"
+
+namespace scenarios::recording {
+
+constexpr int format_version = 1;                    ///< PRAGMA user_version.
+constexpr std::int32_t application_id = 0x4352454c;  ///< PRAGMA application_id: "CREL".
+constexpr std::size_t numbers_per_tool = 8;          ///< x, y, z [m], qw, qx, qy, qz, jaw.
+constexpr std::size_t most_ticks = 65536;  ///< In a chunk; a count beyond is damage, not a request for memory.
+constexpr std::size_t most_tools = 16;     ///< For the same reason.
+
+/// head: one row. chunk: inputs of `ticks` ticks from `first_tick`, packed as below. finished: a row once complete.
+constexpr const char* tables = R"(
+CREATE TABLE head(drill_text TEXT NOT NULL, drill_name TEXT NOT NULL, program_version TEXT NOT NULL, tick_s REAL NOT NULL);
+CREATE TABLE instrument(place INTEGER PRIMARY KEY, name TEXT NOT NULL);
+CREATE TABLE asset(name TEXT NOT NULL, sha256 TEXT NOT NULL);
+CREATE TABLE chunk(first_tick INTEGER PRIMARY KEY, ticks INTEGER NOT NULL, inputs BLOB NOT NULL);
+CREATE TABLE state_hash(tick INTEGER PRIMARY KEY, hash TEXT NOT NULL);
+CREATE TABLE event(t_s REAL NOT NULL, kind TEXT NOT NULL, what TEXT NOT NULL, value REAL);
+CREATE TABLE score(name TEXT NOT NULL, title TEXT NOT NULL, value TEXT NOT NULL, unit TEXT NOT NULL, band TEXT NOT NULL,
+                   passed INTEGER NOT NULL, at_s REAL, why TEXT NOT NULL);
+CREATE TABLE finished(ticks INTEGER NOT NULL);
+)";
+
+/// Packs whole ticks of `tools` tools: a zstd frame with checksum, of little-endian doubles ordered by tool, then
+/// number, then tick, so that slowly varying columns lie together. Every bit comes back, NaN payloads and -0 included.
+std::vector<char> pack(std::span<const instruments::ToolInput> inputs, std::size_t tools);
+
+/// The inputs of `ticks` ticks, or empty when the bytes are damaged or of another length.
+std::vector<instruments::ToolInput> unpack(std::span<const char> bytes, std::size_t ticks, std::size_t tools);
+
+}  // namespace scenarios::recording

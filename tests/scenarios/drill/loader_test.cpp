@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include "scenarios/drill/drill.hpp"
+#include "tests/scenarios/drill/sample.hpp"
+
+using namespace scenarios::drill;
+using sample::message;
+using sample::with;
+
+// A value in the wrong unit or a default that is not the table's would simulate another thread and look plausible.
+TEST(DrillLoader, ReadsEveryPartInSi) {
+    const Drill drill = parse_drill(sample::drill, "a.json", "/base");
+    EXPECT_EQ(drill.title, "Square knot");
+    EXPECT_EQ(drill.text, sample::drill);
+    const auto& thread = drill.world.thread;
+    EXPECT_DOUBLE_EQ(thread.length, 0.150);
+    EXPECT_DOUBLE_EQ(thread.diameter, 0.085e-3);
+    EXPECT_DOUBLE_EQ(thread.break_force, 1.96);
+    EXPECT_DOUBLE_EQ(thread.young_modulus, 2.8e9);
+    EXPECT_DOUBLE_EQ(thread.density, 905);
+    EXPECT_DOUBLE_EQ(thread.friction, 0.2);
+    EXPECT_EQ(thread.links, 300);
+    ASSERT_EQ(drill.world.vessels.size(), 1u);
+    EXPECT_DOUBLE_EQ(drill.world.vessels[0].diameter, 4e-3);
+    EXPECT_DOUBLE_EQ(drill.world.vessels[0].wall, 0.6e-3);
+    ASSERT_EQ(drill.world.instruments.size(), 2u);
+    EXPECT_EQ(drill.world.instruments[1].kind, instruments::Kind::needle_holder);
+    ASSERT_EQ(drill.goals.size(), 1u);
+    EXPECT_EQ(drill.goals[0].throws, 2);
+    EXPECT_EQ(drill.goals[0].tails_mm->high, 8);
+    EXPECT_EQ(drill.bands.path_mm[0]->high, 900);
+    EXPECT_FALSE(drill.bands.path_mm[1]);
+    EXPECT_EQ(drill.bands.tension_N->low, 0.1);
+    EXPECT_EQ(drill.bands.pass_throughs->high, 0);
+}
+
+// Numbers must win over the tables, or an author's measured thread silently becomes the textbook one.
+TEST(DrillLoader, NumbersWinOverSizeAndMaterial) {
+    const auto thread =
+        parse_drill(with("\"friction\": 0.2", "\"diameter_mm\": 0.1, \"break_N\": 3, \"material\": \"nylon\""), "a", "")
+            .world.thread;
+    EXPECT_DOUBLE_EQ(thread.diameter, 0.1e-3);
+    EXPECT_DOUBLE_EQ(thread.break_force, 3);
+    EXPECT_DOUBLE_EQ(thread.young_modulus, 2e9);
+}
+
+// explain prints `filled`; if it were not a drill with the same meaning it would mislead the author.
+TEST(DrillLoader, FilledInDrillMeansTheSame) {
+    const Drill drill = parse_drill(sample::drill, "a", ""), again = parse_drill(drill.filled, "b", "");
+    EXPECT_EQ(drill.filled, again.filled);
+    EXPECT_EQ(drill.world.thread.start, again.world.thread.start);
+    EXPECT_NE(drill.filled.find("\"young_MPa\": 2800"), std::string::npos);
+}
+
+// A start path cut short or left long would give a thread of another length than the author wrote.
+TEST(DrillLoader, CutsStartPathToLength) {
+    const auto thread =
+        parse_drill(with("\"friction\": 0.2", "\"start_mm\": [[0, 0, 9], [0, 100, 9], [0, 100, 209]]"), "a", "")
+            .world.thread;
+    ASSERT_EQ(thread.start.size(), 3u);
+    EXPECT_NEAR((thread.start[2] - sim::geometry::Vec3(0, 0.1, 0.059)).norm(), 0, 1e-15);
+    EXPECT_DOUBLE_EQ(thread.length, 0.150);
+}
+
+struct Case {
+    std::string text, message;
+};
+
+// The message is the interface: each names line, column, place, fault and remedy, so each is held word for word.
+TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
+    const std::string hash(64, 'a');
+    const Case cases[] = {
+        {with("\"length_mm\": 150", "\"length_cm\": 15"),
+         "a.json:6:5: error: /thread/length_cm: unknown key, this is written in mm as \"length_mm\""},
+        {with("\"length_mm\": 150", "\"length\": 0.15"),
+         "a.json:6:5: error: /thread/length: unknown key, this is written in mm as \"length_mm\""},
+        {with("\"friction\":", "\"fricton\":"),
+         "a.json:7:5: error: /thread/fricton: unknown key, did you mean \"friction\"?"},
+        {with("\"friction\":", "\"wobbliness\":"),
+         "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
+         "\"diameter_mm\", \"young_MPa\", "
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"links\", \"mover\", \"start_mm\""},
+        {with("\"friction\": 0.2", "\"links\": 1e9"),
+         "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
+        {with("\"friction\": 0.2", "\"links\": 1000000000"),
+         "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1000000000"},
+        {with("\"friction\": 0.2", "\"links\": 2.5"),
+         "a.json:7:14: error: /thread/links: expected a whole number, found 2.5"},
+        {with("\"friction\": 0.2", "\"links\": 3000"),
+         "a.json:7:14: error: /thread/links: links would be shorter than the thread is thick, expected at most 1764"},
+        {with("150", "0.15"), "a.json:6:18: error: /thread/length_mm: expected 5 to 1000 mm, found 0.15"},
+        {with("150", "\"150 mm\""), "a.json:6:18: error: /thread/length_mm: expected a number, found \"150 mm\""},
+        {with("150", "null"), "a.json:6:18: error: /thread/length_mm: expected a number, found null"},
+        {with("150", "NaN"), "a.json:6:18: error: not valid JSON: invalid literal"},
+        {with("150", "1e999"), "a.json:6:18: error: number too large: 1e999"},
+        {with("    \"length_mm\": 150,\n", ""), "a.json:4:13: error: /thread: the key \"length_mm\" is missing"},
+        {with("\"friction\": 0.2", "\"length_mm\": 100"),
+         "a.json:7:5: error: /thread/length_mm: this key is given twice, remove one"},
+        {with("\"6-0\"", "\"60\""),
+         "a.json:5:13: error: /thread/size: expected \"3-0\", \"4-0\", \"5-0\", \"6-0\", \"7-0\", \"8-0\", \"9-0\" or "
+         "\"10-0\", found \"60\""},
+        {with("\"gravity\": false", "\"gravity\": true"),
+         "a.json:16:26: error: /effects/gravity: this version cannot simulate more, expected false, found true"},
+        {with("\"gravity\": false", "\"tissue\": \"elastic\""),
+         "a.json:16:25: error: /effects/tissue: this version cannot simulate more, expected \"rigid\", found "
+         "\"elastic\""},
+        {with("\"friction\": 0.2", "\"mover\": \"elastic\""),
+         "a.json:7:14: error: /thread/mover: this version has one way to move a thread, expected \"ftl\", found "
+         "\"elastic\""},
+        {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),
+         "a.json:17:41: error: /goals/0/around: no vessel is named \"aorta\""},
+        {with("\"throws\": 2", "\"throws\": \"2-1\""),
+         "a.json:17:62: error: /goals/0/throws: expected turns of each throw joined by '=' (reversed) or 'x' (same "
+         "way), such as \"2=1\", found \"2-1\""},
+        {with("[3, 8]", "[8, 3]"), "a.json:17:77: error: /goals/0/tails_mm: expected [low, high], found 8 above 3"},
+        {with("{\"left\": {", "{\"lefty\": {"),
+         "a.json:18:25: error: /bands/path_mm/lefty: no instrument has this name"},
+        {with("\"right\"", "\"left\""),
+         "a.json:14:14: error: /instruments/1/name: \"left\" is named twice, expected different names"},
+        {with("\"wall_mm\": 0.6", "\"wall_mm\": 2"),
+         "a.json:10:63: error: /vessels/0/tube/wall_mm: expected less than half of diameter_mm, which is 4 mm"},
+        {with("\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}", "\"axis\": [1, 0, 0]"),
+         "a.json:10:5: error: /vessels/0: expected exactly one of the keys \"tube\" and \"mesh\", found 0"},
+        {with("\"friction\": 0.2", "\"start_mm\": [[0, 0, 9], [0, 90, 9]]"),
+         "a.json:7:17: error: /thread/start_mm: the path is 90 mm long, expected at least length_mm, which is 150 mm"},
+        {with("\"friction\": 0.2", "\"start_mm\": [[0, -90, 1], [0, 90, 1]]"),
+         "a.json:7:18: error: /thread/start_mm/0: from here to the next corner the thread is inside the vessel "
+         "\"carotid\", expected to start clear "
+         "of it"},
+        {with("\"friction\": 0.2", "\"start_mm\": [[0, 0, 9], [0, 50, 9], [9, 50, 9], [9, 25, 9], [-99, 25, 9]]"),
+         "a.json:7:53: error: /thread/start_mm/3: from here to the next corner the thread touches the piece from "
+         "corner 0, expected them a "
+         "diameter apart"},
+        {with("\"carrel_drill\": 1", "\"carrel_drill\": 2"), "a.json:2:19: error: /carrel_drill: expected 1, found 2"},
+        {with("  \"time_limit_s\": 120\n", "  \"time_limit_s\": 120,\n"),
+         "a.json:20:1: error: not valid JSON: unexpected '}'; expected string literal"},
+        {"", "a.json: error: is empty, expected a JSON object"},
+        {" \n\t\n", "a.json: error: is empty, expected a JSON object"},
+        {"[]", "a.json:1:1: error: /: expected an object, found a list of 0"},
+        {std::string(100000, '['), "a.json: error: is nested deeper than 32 levels"},
+    };
+    for (const Case& c : cases) EXPECT_EQ(message(c.text), c.message);
+}
+
+// Editors count characters: behind a two-byte letter a column in bytes points one too far.
+TEST(DrillLoader, ColumnsCountCharacters) {
+    EXPECT_EQ(message(with("{\"name\": \"carotid\", \"tube\"", "{\"name\": \"\xc3\xa9t\xc3\xa9\", \"tube\"")),
+              "a.json:10:14: error: /vessels/0/name: expected a letter and up to 39 letters, digits, '_' or '-', found "
+              "\"\\u00e9t\\u00e9\"");
+    EXPECT_EQ(message(with("\"title\": \"Square knot\",\n", "\"title\": \"\xc3\xa9\", \"extra\": 1,\n")).substr(0, 13),
+              "a.json:3:17: ");
+}
+
+// Windows line ends, a byte order mark and escaped keys are all in files that people have; places must not drift.
+TEST(DrillLoader, PlacesSurviveUnusualText) {
+    std::string dos;
+    for (const char c : with("150", "0.15")) dos += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_EQ(message(dos), "a.json:6:18: error: /thread/length_mm: expected 5 to 1000 mm, found 0.15");
+    EXPECT_EQ(message("\xef\xbb\xbf" + sample::drill), "");
+    EXPECT_EQ(message(with("\"length_mm\": 150", "\"length\\u005fmm\": 0.15")),
+              "a.json:6:23: error: /thread/length_mm: expected 5 to 1000 mm, found 0.15");
+    EXPECT_EQ(message(with("\"friction\":", "\"a/b~c\\n\":")).substr(0, 39), "a.json:7:5: error: /thread/a~1b~0c?: un");
+}
+
+// Each committed drill must load, or the first thing a newcomer runs fails.
+TEST(DrillLoader, CommittedDrillsLoad) {
+    for (const std::string name : {"square-knot", "granny-knot", "surgeons-knot"}) {
+        SCOPED_TRACE(name);
+        const Drill drill = load_drill(std::string(CARREL_SOURCE) + "/scenarios/drills/" + name + ".json");
+        ASSERT_EQ(drill.goals.size(), 1u);
+        EXPECT_EQ(drill.goals[0].tie, name == "surgeons-knot" ? "surgeons" : "square");
+    }
+}

@@ -1,0 +1,136 @@
+#include "scenarios/drill/score.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/scenarios/drill/sample.hpp"
+
+using namespace scenarios;
+using drill::ScoreItem;
+
+namespace {
+
+world::Measures good() {
+    world::Measures m;
+    m.knot.knot = "3_1#m3_1";
+    m.knot.surgical = "square";
+    m.knot.throws = "1=1";
+    m.knot_since_s = 12.5;
+    m.tail_mm = {7.5, 4};
+    m.duration_s = 30;
+    m.path_mm = {400, 800};
+    m.grasps = {2, 3};
+    m.tension_max_N = {0.8, 21};
+    m.lag_max_mm = {{0.1, 3}, {0.2, 4}};
+    return m;
+}
+
+ScoreItem item(const std::string& name, const world::Measures& m, const std::string& text = sample::drill) {
+    for (const ScoreItem& i : drill::score(drill::parse_drill(text, "a.json", ""), m))
+        if (i.name == name) return i;
+    ADD_FAILURE() << "no item " << name;
+    return {};
+}
+
+}  // namespace
+
+// A good tie passes every item; an item that fails for it would teach the resident a fault she did not make.
+TEST(Score, GoodTiePasses) {
+    for (const ScoreItem& i : drill::score(drill::parse_drill(sample::drill, "a", ""), good())) {
+        EXPECT_TRUE(i.passed) << i.name;
+        EXPECT_EQ(i.why, "") << i.name;
+    }
+    const ScoreItem tension = item("tension", good());
+    EXPECT_EQ(tension.value, "0.80");
+    EXPECT_EQ(tension.band, "0.1 to 1");
+    EXPECT_EQ(tension.unit, "N");
+    EXPECT_EQ(tension.at_s, 21);
+    EXPECT_EQ(item("knot", good()).at_s, 12.5);
+    EXPECT_EQ(item("time", good()).band, "at most 120");
+    EXPECT_EQ(item("path_right", good()).band, "");
+}
+
+// The granny is the mistake the drill exists for: it must fail, and say how to do it right.
+TEST(Score, GrannyWhereSquareWasAskedFailsAndTeaches) {
+    world::Measures m = good();
+    m.knot.knot = "3_1#3_1";
+    m.knot.surgical = "granny";
+    m.knot.throws = "1x1";
+    const ScoreItem knot = item("knot", m);
+    EXPECT_FALSE(knot.passed);
+    EXPECT_EQ(knot.value, "granny");
+    EXPECT_EQ(knot.band, "square");
+    EXPECT_EQ(knot.why,
+              "The second throw went the same way round as the first: a granny, which slips. Reverse the second wrap.");
+    EXPECT_TRUE(item("throws", m).passed);  // two were asked, two were tied
+    EXPECT_FALSE(item("throws", m, sample::with("\"throws\": 2", "\"throws\": \"1=1\"")).passed);
+}
+
+// The namer writes the apostrophe, drill files do not; compared as they are no surgeon's knot would ever pass.
+TEST(Score, SurgeonsKnotIsMetWithItsApostrophe) {
+    world::Measures m = good();
+    m.knot.surgical = "surgeon's";
+    m.knot.throws = "2=1";
+    const std::string text = sample::with("\"tie\": \"square\", \"around\": \"carotid\", \"throws\": 2",
+                                          "\"tie\": \"surgeons\", \"throws\": \"2=1\"");
+    EXPECT_TRUE(item("knot", m, text).passed);
+    EXPECT_TRUE(item("throws", m, text).passed);
+    EXPECT_FALSE(item("knot", m).passed);
+    EXPECT_FALSE(item("knot", good(), text).passed);
+}
+
+// A name that invariants could not decide must not be taken for a pass.
+TEST(Score, UncertainNameFails) {
+    world::Measures m = good();
+    m.knot.certain = false;
+    EXPECT_FALSE(item("knot", m).passed);
+}
+
+// An untied thread has no name, no throws and no tails: each fails with its own sentence, none crashes.
+TEST(Score, NothingTied) {
+    world::Measures m = good();
+    m.knot = {};
+    m.tail_mm = {0, 0};
+    EXPECT_EQ(item("knot", m).value, "none");
+    EXPECT_EQ(item("knot", m).why, "There is no knot in the thread: the throw was not pulled through, or came undone.");
+    EXPECT_FALSE(item("throws", m).passed);
+    EXPECT_FALSE(item("tail_short", m).passed);
+}
+
+// Both ends of a band belong to it, and both tails are judged: a long tail must not hide a short one.
+TEST(Score, TailsAreJudgedBothAtTheirBand) {
+    world::Measures m = good();
+    m.tail_mm = {8, 3};
+    EXPECT_TRUE(item("tail_short", m).passed);
+    EXPECT_TRUE(item("tail_long", m).passed);
+    m.tail_mm = {8.5, 2.5};
+    EXPECT_EQ(item("tail_short", m).value, "2.50");
+    EXPECT_EQ(item("tail_short", m).why,
+              "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.");
+    EXPECT_EQ(item("tail_long", m).why,
+              "The tail is longer than asked. Cut it, or start with less thread on this side.");
+}
+
+// Each measured item fails on its own and leaves the others alone: there is no sum in which one hides another.
+TEST(Score, ItemsFailAlone) {
+    const std::string text =
+        sample::with("\"tension_N\": [0.1, 1]",
+                     "\"tension_N\": [0.1, 1], \"grasps\": {\"right\": [1, 4]}, \"lag_mm\": {\"left\": {\"max\": 1}}");
+    using Change = std::function<void(world::Measures&)>;
+    const std::pair<std::string, Change> cases[] = {{"time", [](auto& m) { m.duration_s = 121; }},
+                                                    {"path_left", [](auto& m) { m.path_mm[0] = 901; }},
+                                                    {"grasps_right", [](auto& m) { m.grasps[1] = 5; }},
+                                                    {"tension", [](auto& m) { m.tension_max_N.value = 1.1; }},
+                                                    {"tension", [](auto& m) { m.tension_max_N.value = 0; }},
+                                                    {"lag_left", [](auto& m) { m.lag_max_mm[0].value = 2; }},
+                                                    {"pass_throughs", [](auto& m) { m.pass_throughs = 1; }}};
+    for (const auto& [name, change] : cases) {
+        world::Measures m = good();
+        change(m);
+        for (const ScoreItem& i : drill::score(drill::parse_drill(text, "a", ""), m)) {
+            EXPECT_EQ(i.passed, i.name != name) << name << " " << i.name;
+            EXPECT_EQ(i.why.empty(), i.passed) << name << " " << i.name;
+        }
+    }
+}
