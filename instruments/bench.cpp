@@ -11,9 +11,9 @@ namespace instruments {
 
 namespace {
 
-// Looks at the pairs in one sweep, at most. A free motion needs one, a stop or a slide over an edge about ten; a tool
-// that uses up all of them stops there for this tick, which is safe.
-constexpr int max_steps = 64;
+// Steps short of a leg's end that one sweep may take. A stop takes about three, a slide over an edge ten; a tool that
+// uses up all of them stops there for this tick, which is safe.
+constexpr int max_steps = 32;
 
 // Fractions of skin(). A step that no plane allows in full is still tried over `probe`, and kept if what it reaches is
 // no nearer than `floor`. On the way it can come nearer by a probe: to a quarter of the skin, as bench.hpp promises.
@@ -47,7 +47,7 @@ std::optional<ToolInput> clean(const ToolInput& input, const ToolShape& shape) {
     const Vec3& position = input.pose.position;
     Eigen::Vector4d q = input.pose.rotation.coeffs();  // x y z w
     if (!position.allFinite() || !q.allFinite() || !std::isfinite(input.jaw) || q.isZero(0)) return {};
-    if (position.cwiseAbs().maxCoeff() > 1000 * shape.shaft_length) return {};  // a device's fault, not a place
+    if (position.cwiseAbs().maxCoeff() > 100 * shape.shaft_length) return {};  // a device's fault, not a place
     // What already is unit, to the rounding of four squares, stays as it is: a pose given back is the same pose.
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     if (!(std::abs(q.squaredNorm() - 1) <= rounding)) q.stableNormalize();
@@ -86,6 +86,14 @@ struct Bench::Motion {
             // |x''| <= rate^2 arm, and a curve leaves its chord over s by at most |x''|/2 (u s)(s - u s).
             bulge[i] = 0.5 * rate * rate * arm;
         }
+    }
+
+    /// Legs to take the path in. Short ones, in jaw thicknesses, keep few things in reach; and a leg that bulges by less
+    /// than a probe never has to creep where the tool only turns or slides along what it touches.
+    int legs(double jaw_thickness, double probe) const {
+        const double by_length = std::max(speed[shaft], speed[jaw_plus]) / (2 * jaw_thickness);
+        const double by_bulge = std::sqrt(std::max(bulge[shaft], bulge[jaw_plus]) / probe);
+        return std::max(1, static_cast<int>(std::ceil(std::max(by_length, by_bulge))));
     }
 
     ToolInput at(double time) const {
@@ -166,50 +174,67 @@ double Bench::clearance(int tool, double range) const {
 }
 
 Bench::Stop Bench::sweep(int index, const ToolInput& wanted) {
+    const Motion motion(at(index).shape, at(index).now, wanted);
+    const int legs = motion.legs(2 * at(index).shape.jaw_radius, probe_of_skin * skin(index));
+    int steps = max_steps;
+    for (int i = 1; i <= legs; ++i) {
+        const Stop stop = leg(index, i == legs ? wanted : motion.at(static_cast<double>(i) / legs), steps);
+        if (stop.stopped) return stop;
+    }
+    return {};
+}
+
+// How much of the rest of a leg a pair allows, `plane` being between its part and the other now. Both are convex, so
+// their gap is at least the part's height over that plane; and the height, at the ends of the part's straight core, goes
+// from what it is to its value at the leg's end but for the bulge.
+double Bench::allowed(const Motion& motion, const Pair& pair, const Plane& plane, const Capsule& part, double rest,
+                      double keep) {
+    const double furthest = motion.speed[pair.part] * rest;
+    const auto height = [&](const Capsule& c) { return std::min(plane.normal.dot(c.a), plane.normal.dot(c.b)); };
+    const double falls = height(part) - height(motion.end[pair.part]) + motion.bulge[pair.part] * rest * rest;
+    const double closing = plane.normal.isZero(0) ? furthest : std::min(furthest, falls);
+    return closing > 0 ? std::max(plane.gap - keep, probe_of_skin * keep) / closing : 1;
+}
+
+Bench::Stop Bench::leg(int index, const ToolInput& wanted, int& steps) {
     const Tool& tool = at(index);
     const Motion motion(tool.shape, tool.now, wanted);
-    const double keep = skin(index), floor = floor_of_skin * keep, probe = probe_of_skin * keep;
+    const double keep = skin(index);
     collect_pairs(index, {motion.speed[0] + keep, motion.speed[1] + keep, motion.speed[2] + keep});
 
-    Stop stop;
-    double time = 0, next = 0;
+    double time = 0;  // the last place known to be good
     auto parts = tool.parts;
-    for (int step = 0; step <= max_steps; ++step) {
+    Stop stop;
+    for (double next = 0;;) {
         const double rest = 1 - next;
-        double share = 1;  // of the rest of the path that no pair forbids
+        double share = 1;
+        std::size_t tightest = 0;
         Stop limit;
-        std::size_t kept = 0;
-        for (const Pair& pair : pairs_) {
-            const auto [gap, normal, point] = separate(parts[pair.part], pair.other);
-            if (step > 0 && gap < floor && gap < pair.gap) {
-                stop = {true, pair, normal};
+        for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            Pair& pair = pairs_[i];
+            const double sure = pair.gap - keep - motion.speed[pair.part] * (next - pair.time);  // without looking
+            if (sure > motion.speed[pair.part] * rest * share) continue;
+            const Plane plane = separate(parts[pair.part], pair.other);
+            if (plane.gap < floor_of_skin * keep && plane.gap < pair.gap) {
+                stop = {true, pair, plane.normal};
                 break;
             }
-            const double furthest = motion.speed[pair.part] * rest;
-            if (gap > keep + furthest) continue;  // out of reach until the end of this sweep
-            // Both are convex, so the gap is at least the part's height over the plane between them. That height, at
-            // the ends of the part's straight core, runs from here to its value at the end of the path but for bulge.
-            const Capsule& end = motion.end[pair.part];
-            const double height = std::min(normal.dot(end.a - point), normal.dot(end.b - point));
-            const double here = std::min(normal.dot(parts[pair.part].a - point), normal.dot(parts[pair.part].b - point));
-            const double falls = here - height + motion.bulge[pair.part] * rest * rest;
-            const double closing = normal.isZero(0) ? furthest : std::min(furthest, falls);
-            const double allowed = closing > 0 ? std::max(gap - keep, probe) / closing : 1;
-            if (allowed < share) {
-                share = allowed;
-                limit = {true, pair, normal};
-            }
-            pairs_[kept] = pair;
-            pairs_[kept++].gap = gap;
+            pair.gap = plane.gap;
+            pair.time = next;
+            const double here = allowed(motion, pair, plane, parts[pair.part], rest, keep);
+            if (here >= share) continue;
+            share = here;
+            tightest = i;
+            limit = {true, pair, plane.normal};
         }
         if (stop.stopped) break;
-        pairs_.resize(kept);
         time = next;
         if (time >= 1) break;
-        if (step == max_steps) {
+        if (share < 1 && --steps < 0) {
             stop = limit;
             break;
         }
+        if (!pairs_.empty()) std::swap(pairs_.front(), pairs_[tightest]);  // what is tight is looked at first
         next = share >= 1 ? 1 : time + share * rest;
         const ToolInput trial = motion.at(next);
         parts = parts_at(tool.shape, trial.pose, trial.jaw);

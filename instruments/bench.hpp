@@ -42,8 +42,8 @@ class Bench {
     ///
     /// Guarantee:  no part comes nearer to anything than skin(tool) / 4, at any speed, at any moment in between; if it
     ///             already was nearer (a start pose), it may only move away.
-    /// Bad input:  not finite, a zero quaternion, further than 1000 shaft lengths away: held, `input_dropped`.
-    /// Cost:       3 tree queries when nothing is near; see max_steps in the source for the worst case.
+    /// Bad input:  not finite, a zero quaternion, further than 100 shaft lengths away: held, `input_dropped`.
+    /// Cost:       3 tree queries when nothing is near; at most max_steps (bench.cpp) looks at what is.
     /// Source:     conservative advancement [Mirtich1996], with a separating plane per pair, as both are convex.
     Advance advance(int tool, const ToolInput& wanted);
 
@@ -67,7 +67,7 @@ class Bench {
     struct Pair {   // a part of the moving tool and one convex thing it could meet
         std::size_t part;
         BulletWorld::Near other;
-        double gap = 0;  // [m] when last looked at
+        double gap = -1e300, time = 0;  // [m] when last looked at, and when
     };
     struct Plane {  // that separates a pair: the pair's gap cannot be smaller than the part's height over it
         double gap;
@@ -85,6 +85,9 @@ class Bench {
     void collect_pairs(int tool, const std::array<double, part_count>& range) const;
     void place(int tool, const ToolInput& input);
     Stop sweep(int tool, const ToolInput& wanted);
+    Stop leg(int tool, const ToolInput& wanted, int& steps);
+    static double allowed(const Motion& motion, const Pair& pair, const Plane& plane, const Capsule& part, double rest,
+                          double keep);
 
     BulletWorld world_;
     std::vector<Tool> tools_;
