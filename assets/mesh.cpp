@@ -83,8 +83,10 @@ struct Reader {
                 for (unsigned i = 0; i < 3; ++i) {
                     const aiVector3D& p = part->mVertices[face.mIndices[i]];
                     const Vec3 corner(p.x, p.y, p.z);
-                    if (!corner.allFinite()) fail(name(mesh.triangles.size()) + " has a corner that is not a finite number");
-                    const auto [place, is_new] = known.try_emplace({p.x, p.y, p.z}, static_cast<int>(mesh.vertices.size()));
+                    if (!corner.allFinite())
+                        fail(name(mesh.triangles.size()) + " has a corner that is not a finite number");
+                    const auto [place, is_new] =
+                        known.try_emplace({p.x, p.y, p.z}, static_cast<int>(mesh.vertices.size()));
                     if (is_new) mesh.vertices.push_back(corner * 1e-3);
                     triangle[i] = place->second;
                 }
@@ -112,7 +114,8 @@ struct Reader {
             const auto& [a, b, c] = soup[i];
             // Corners come as float: a height below their rounding is no height.
             const double edge = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-            const double largest = std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+            const double largest =
+                std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
             const double rounding = std::numeric_limits<float>::epsilon() * largest;
             if ((b - a).cross(c - a).norm() <= edge * rounding) fail(name(i) + " has no area, remove it");
             auto corners = mesh.triangles[i];
@@ -132,7 +135,8 @@ struct Reader {
                 if (up + down > 2) fail(name(i) + " has an edge of more than two triangles, a surface has at most two");
                 if (up == 2 || down == 2) fail(name(i) + " faces the other way than its neighbour, turn one around");
             }
-        return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second[0] + use.second[1] == 2; });
+        return std::all_of(uses.begin(), uses.end(),
+                           [](const auto& use) { return use.second[0] + use.second[1] == 2; });
     }
 };
 
@@ -144,7 +148,8 @@ Mesh load_mesh(const std::filesystem::path& file) {
     Mesh mesh = reader.read();
     reader.check_size(mesh);
     reader.check_triangles(mesh);
-    if (reader.check_edges(mesh) && volume(mesh) < 0) reader.fail("faces inwards everywhere, turn its triangles around");
+    if (reader.check_edges(mesh) && volume(mesh) < 0)
+        reader.fail("faces inwards everywhere, turn its triangles around");
     return mesh;
 }
 

@@ -32,7 +32,8 @@ struct AssetError : std::runtime_error {
 Mesh load_mesh(const std::filesystem::path& file);
 
 /// Closed tube (outer and inner wall, end rings) along x, centred at the origin. [m]
-/// `around` (at least 3) sides, `along` (at least 1) rings of them; 0 < wall < outer_diameter / 2. The same bits everywhere.
+/// `around` (at least 3) sides, `along` (at least 1) rings of them; 0 < wall < outer_diameter / 2. The same bits
+/// everywhere.
 Mesh make_tube(double outer_diameter, double wall, double length, int around, int along);
 
 /// Writes a mesh as .obj text in mm, to the nanometre; `comment` is its first line.

@@ -68,7 +68,8 @@ struct Bench::Motion {
     ToolInput from, to;
     std::array<Capsule, part_count> end;
     std::array<double, part_count> speed;  ///< No point of the part's core moves faster [m per unit of time].
-    std::array<double, part_count> bulge;  ///< Over a time s it leaves its chord by at most bulge s^2 u, u = share of s.
+    std::array<double, part_count>
+        bulge;  ///< Over a time s it leaves its chord by at most bulge s^2 u, u = share of s.
 
     Motion(const ToolShape& shape, const ToolInput& start, const ToolInput& wanted) : from(start), to(wanted) {
         end = parts_at(shape, to.pose, to.jaw);
@@ -88,8 +89,8 @@ struct Bench::Motion {
         }
     }
 
-    /// Legs to take the path in. Short ones, in jaw thicknesses, keep few things in reach; and a leg that bulges by less
-    /// than a probe never has to creep where the tool only turns or slides along what it touches.
+    /// Legs to take the path in. Short ones, in jaw thicknesses, keep few things in reach; and a leg that bulges by
+    /// less than a probe never has to creep where the tool only turns or slides along what it touches.
     int legs(double jaw_thickness, double probe) const {
         const double by_length = std::max(speed[shaft], speed[jaw_plus]) / (2 * jaw_thickness);
         const double by_bulge = std::sqrt(std::max(bulge[shaft], bulge[jaw_plus]) / probe);
@@ -145,7 +146,8 @@ Bench::Plane Bench::separate(const Capsule& capsule, const BulletWorld::Near& ot
     sim::geometry::ClosestPair closest;
     if (who.surface >= 0) {
         const auto& triangles = surfaces_[static_cast<std::size_t>(who.surface)];
-        closest = sim::geometry::closest_points(capsule.a, capsule.b, triangles[static_cast<std::size_t>(other.triangle)]);
+        closest =
+            sim::geometry::closest_points(capsule.a, capsule.b, triangles[static_cast<std::size_t>(other.triangle)]);
     } else {
         const Capsule& core = at(who.tool).parts[static_cast<std::size_t>(who.part)];
         closest = sim::geometry::closest_points(capsule.a, capsule.b, core.a, core.b);
@@ -185,8 +187,8 @@ Bench::Stop Bench::sweep(int index, const ToolInput& wanted) {
 }
 
 // How much of the rest of a leg a pair allows, `plane` being between its part and the other now. Both are convex, so
-// their gap is at least the part's height over that plane; and the height, at the ends of the part's straight core, goes
-// from what it is to its value at the leg's end but for the bulge.
+// their gap is at least the part's height over that plane; and the height, at the ends of the part's straight core,
+// goes from what it is to its value at the leg's end but for the bulge.
 double Bench::allowed(const Motion& motion, const Pair& pair, const Plane& plane, const Capsule& part, double rest,
                       double keep) {
     const double furthest = motion.speed[pair.part] * rest;

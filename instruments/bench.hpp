@@ -9,11 +9,11 @@ namespace instruments {
 
 /// How far a tool got in one tick.
 struct Advance {
-    ToolInput reached;           ///< Rotation unit, with w >= 0; jaw in [0, 1].
-    bool stopped = false;        ///< Something stood in the way; `reached` is short of what was wanted.
-    int part = -1;               ///< Which Part was stopped,
-    int tool = -1, surface = -1; ///< and by what: the number of the other tool or of the surface.
-    bool input_dropped = false;  ///< The wanted pose was not usable; the tool was held where it was.
+    ToolInput reached;            ///< Rotation unit, with w >= 0; jaw in [0, 1].
+    bool stopped = false;         ///< Something stood in the way; `reached` is short of what was wanted.
+    int part = -1;                ///< Which Part was stopped,
+    int tool = -1, surface = -1;  ///< and by what: the number of the other tool or of the surface.
+    bool input_dropped = false;   ///< The wanted pose was not usable; the tool was held where it was.
 };
 
 /// The bench: tools that move, surfaces that do not, and nothing ever inside anything else.
@@ -47,7 +47,8 @@ class Bench {
     /// Source:     conservative advancement [Mirtich1996], with a separating plane per pair, as both are convex.
     Advance advance(int tool, const ToolInput& wanted);
 
-    /// Smallest gap [m] between a tool and all that is within `range` of it; `range` when nothing is. Negative: overlap.
+    /// Smallest gap [m] between a tool and all that is within `range` of it; `range` when nothing is. Negative:
+    /// overlap.
     double clearance(int tool, double range) const;
 
     /// Where a moving tool stops before an obstacle [m]: a fiftieth of its jaw's radius, a twentieth of a 6-0 thread.

@@ -41,7 +41,8 @@ struct Collect final : btBroadphaseAabbCallback {
             return true;
         }
         CollectTriangles triangles(body, found);
-        static_cast<const btBvhTriangleMeshShape*>(object->getCollisionShape())->processAllTriangles(&triangles, low, high);
+        static_cast<const btBvhTriangleMeshShape*>(object->getCollisionShape())
+            ->processAllTriangles(&triangles, low, high);
         return true;
     }
 };
@@ -98,9 +99,9 @@ int BulletWorld::add_surface(const std::vector<Triangle>& triangles) {
             indices.push_back(static_cast<int>(indices.size()));
             for (int axis = 0; axis < 3; ++axis) corners.push_back((*p)[axis] * impl_->units_per_metre);
         }
-    arrays = std::make_unique<btTriangleIndexVertexArray>(static_cast<int>(triangles.size()), indices.data(),
-                                                          static_cast<int>(3 * sizeof(int)), static_cast<int>(indices.size()),
-                                                          corners.data(), static_cast<int>(3 * sizeof(btScalar)));
+    arrays = std::make_unique<btTriangleIndexVertexArray>(
+        static_cast<int>(triangles.size()), indices.data(), static_cast<int>(3 * sizeof(int)),
+        static_cast<int>(indices.size()), corners.data(), static_cast<int>(3 * sizeof(btScalar)));
     // Compressed boxes would add a fixed 1 unit around the mesh and 0.002 around each triangle.
     const bool compressed = false;
     auto shape = std::make_unique<btBvhTriangleMeshShape>(arrays.get(), compressed);

@@ -18,7 +18,7 @@ static Vec3 to_tool(const Pose& pose, const Vec3& point) {
 static std::array<double, 6> depths(const JawGap& gap, const Vec3& p) {
     const double slope = (gap.tip_half_width - gap.hinge_half_width) / (gap.tip_z - gap.hinge_z);
     const double half_width = gap.hinge_half_width + slope * (p.z() - gap.hinge_z);
-    return {p.z() - gap.hinge_z, gap.tip_z - p.z(),         half_width - p.x(),
+    return {p.z() - gap.hinge_z, gap.tip_z - p.z(),      half_width - p.x(),
             half_width + p.x(),  gap.half_depth - p.y(), gap.half_depth + p.y()};
 }
 

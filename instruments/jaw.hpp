@@ -8,7 +8,7 @@ namespace instruments {
 /// The room between a tool's jaws, in the tool's frame: |x| below a half width that grows from hinge to tip, |y| below
 /// the jaws' radius. Its sides are the jaws' centre lines, so that what touches a closed jaw's inner face is inside.
 struct JawGap {
-    double hinge_z, tip_z;              ///< [m]
+    double hinge_z, tip_z;  ///< [m]
     double hinge_half_width, tip_half_width;
     double half_depth;
 };

@@ -10,7 +10,9 @@ namespace instruments {
 constexpr ToolShape forceps_shape{1.5e-3, 80e-3, 0.2e-3, 12e-3, 0.427, 1.0};
 constexpr ToolShape needle_holder_shape{1.6e-3, 80e-3, 0.3e-3, 10e-3, 0.349, 4.0};
 
-const ToolShape& shape_of(Kind kind) { return kind == Kind::forceps ? forceps_shape : needle_holder_shape; }
+const ToolShape& shape_of(Kind kind) {
+    return kind == Kind::forceps ? forceps_shape : needle_holder_shape;
+}
 
 std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pose, double jaw) {
     const auto world = [&](double x, double z) -> Vec3 { return pose.position + pose.rotation * Vec3(x, 0, z); };

@@ -35,7 +35,9 @@ TEST(Meshes, ATubeIsClosedFacesOutwardsAndHasItsVolume) {
             EXPECT_EQ(count, 1);
             EXPECT_EQ(uses.count({edge.second, edge.first}), 1u);
         }
-        const auto disc = [n = around](double radius) { return n / 2.0 * radius * radius * std::sin(2 * EIGEN_PI / n); };
+        const auto disc = [n = around](double radius) {
+            return n / 2.0 * radius * radius * std::sin(2 * EIGEN_PI / n);
+        };
         const double expected = length * (disc(outer / 2) - disc(outer / 2 - wall));
         EXPECT_NEAR(volume(tube), expected, 1e-12 * expected);
     }
@@ -79,7 +81,8 @@ static std::string error_in(const std::string& text, const std::string& name = "
 TEST(Meshes, ABadFileIsOneClearLine) {
     const std::string square = "v 0 0 0\nv 5 0 0\nv 5 5 0\nv 0 5 0\n", third = "v 2 2 3\nv 2 2 -3\n";
     const auto has = [](const std::string& error, const char* what) {
-        return error.find(what) != std::string::npos ? testing::AssertionSuccess() : testing::AssertionFailure() << error;
+        return error.find(what) != std::string::npos ? testing::AssertionSuccess()
+                                                     : testing::AssertionFailure() << error;
     };
     EXPECT_EQ(error_in(square + "f 1 2 3 4\n"), "");
     EXPECT_EQ(error_in(square + "f 1 2 3\nf 1 3 4\n"), "");

@@ -28,7 +28,8 @@ static std::vector<Triangle> vessel(double scale = 1) {
 }
 
 static ToolShape scaled(ToolShape shape, double scale) {
-    for (double* length : {&shape.shaft_radius, &shape.shaft_length, &shape.jaw_radius, &shape.jaw_length}) *length *= scale;
+    for (double* length : {&shape.shaft_radius, &shape.shaft_length, &shape.jaw_radius, &shape.jaw_length})
+        *length *= scale;
     return shape;
 }
 
@@ -39,7 +40,8 @@ static double brute_gap(const std::array<Capsule, part_count>& parts, const std:
     double gap = 1e300;
     for (const Capsule& part : parts)
         for (const Triangle& triangle : triangles)
-            gap = std::min(gap, std::sqrt(sim::geometry::closest_points(part.a, part.b, triangle).distance_squared) - part.radius);
+            gap = std::min(
+                gap, std::sqrt(sim::geometry::closest_points(part.a, part.b, triangle).distance_squared) - part.radius);
     return gap;
 }
 
@@ -142,8 +144,8 @@ TEST(Bench, APressedToolSlidesAlongTheVessel) {
     EXPECT_GT(bench.pose(tool).pose.position.z(), 1.9e-3);
 }
 
-// Random hard pushes into a vessel and another tool from all sides, with turning and jaws: whatever the order of events,
-// nothing is ever inside anything. The vessel's inside is reachable only through its wall.
+// Random hard pushes into a vessel and another tool from all sides, with turning and jaws: whatever the order of
+// events, nothing is ever inside anything. The vessel's inside is reachable only through its wall.
 TEST(Bench, NothingEverGetsInsideAnything) {
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {
         SCOPED_TRACE(seed);
@@ -158,7 +160,8 @@ TEST(Bench, NothingEverGetsInsideAnything) {
         for (int tick = 0; tick < 400; ++tick)
             for (const int tool : tools) {
                 const Vec3 from = bench.pose(tool).pose.position;
-                const Vec3 position = from + 1e-3 * Vec3(uniform(random), uniform(random), uniform(random)) - 0.1 * from;
+                const Vec3 position =
+                    from + 1e-3 * Vec3(uniform(random), uniform(random), uniform(random)) - 0.1 * from;
                 const Quat tilt(1, 0.3 * uniform(random), 0.3 * uniform(random), uniform(random));
                 stops += bench.advance(tool, {{position, down * tilt.normalized()}, 0.5 + uniform(random)}).stopped;
                 ASSERT_GE(brute_gap(bench.parts(tool), vessel()), bench.skin(tool) / 5);
@@ -168,8 +171,8 @@ TEST(Bench, NothingEverGetsInsideAnything) {
     }
 }
 
-// Bullet's fixed lengths show at one size and hide at others: neither its unit nor the size of the scene may change what
-// happens. The unit must not change a bit; the scene's size only rounding.
+// Bullet's fixed lengths show at one size and hide at others: neither its unit nor the size of the scene may change
+// what happens. The unit must not change a bit; the scene's size only rounding.
 TEST(Bench, TheUnitAndTheSizeOfTheSceneChangeNothing) {
     const auto run = [](double unit, double scale) {
         Bench bench(unit);
@@ -189,7 +192,8 @@ TEST(Bench, TheUnitAndTheSizeOfTheSceneChangeNothing) {
     for (const double unit : {1e-4, 1e-2, 1.0}) EXPECT_EQ(run(unit, 1), path) << unit;
     for (const double scale : {10.0, 1000.0}) {
         const auto larger = run(bullet_unit, scale);
-        for (std::size_t i = 0; i < path.size(); ++i) EXPECT_LT((larger[i] - path[i]).norm(), 1e-12) << scale << ' ' << i;
+        for (std::size_t i = 0; i < path.size(); ++i)
+            EXPECT_LT((larger[i] - path[i]).norm(), 1e-12) << scale << ' ' << i;
     }
 }
 
@@ -205,8 +209,8 @@ TEST(Bench, UnusableInputHoldsTheTool) {
         return input;
     };
     const std::vector<ToolInput> bad{
-        with([&](auto& i) { i.pose.position.y() = nan; }), with([&](auto& i) { i.pose.position.z() = -inf; }),
-        with([&](auto& i) { i.pose.position.z() = 1e300; }), with([&](auto& i) { i.pose.rotation.w() = nan; }),
+        with([&](auto& i) { i.pose.position.y() = nan; }),          with([&](auto& i) { i.pose.position.z() = -inf; }),
+        with([&](auto& i) { i.pose.position.z() = 1e300; }),        with([&](auto& i) { i.pose.rotation.w() = nan; }),
         with([&](auto& i) { i.pose.rotation.coeffs().setZero(); }), with([&](auto& i) { i.jaw = nan; })};
     for (const ToolInput& input : bad) {
         Bench bench;
@@ -258,8 +262,9 @@ TEST(Bench, TheSameCallsGiveTheSameBits) {
             for (const int moved : {tool, other}) {
                 const Vec3 position = 4e-3 * Vec3(uniform(random), uniform(random), uniform(random));
                 const Advance a = bench.advance(moved, {{position, down}, uniform(random)});
-                for (const double x : {a.reached.pose.position.x(), a.reached.pose.position.y(), a.reached.pose.position.z(),
-                                       a.reached.jaw, double(a.tool), double(a.surface), double(a.part)})
+                for (const double x :
+                     {a.reached.pose.position.x(), a.reached.pose.position.y(), a.reached.pose.position.z(),
+                      a.reached.jaw, double(a.tool), double(a.surface), double(a.part)})
                     bits.push_back(x);
             }
         return bits;

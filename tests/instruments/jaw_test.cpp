@@ -5,7 +5,9 @@
 using namespace instruments;
 
 static const Pose somewhere{{0.03, -0.01, 0.02}, Quat(Eigen::AngleAxisd(2.1, Vec3(1, -2, 0.5).normalized()))};
-static Vec3 world(double x, double y, double z) { return somewhere.position + somewhere.rotation * Vec3(x, y, z); }
+static Vec3 world(double x, double y, double z) {
+    return somewhere.position + somewhere.rotation * Vec3(x, y, z);
+}
 
 // Taken too wide, closing jaws grasp a thread that lies beside them; too narrow, they lose the one between them.
 TEST(Jaw, TheRoomBetweenReachesFromJawToJawAndHingeToTip) {

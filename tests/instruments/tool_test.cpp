@@ -35,7 +35,8 @@ TEST(Tool, ClosedJawsTouchAndNoOpeningMakesThemOverlap) {
 TEST(Tool, TipsOfClosedJawsAreAtTheFramesOrigin) {
     for (const Kind kind : {Kind::forceps, Kind::needle_holder}) {
         const auto parts = parts_at(shape_of(kind), {}, 0);
-        EXPECT_LT((0.5 * (parts[jaw_plus].b + parts[jaw_minus].b) + Vec3(0, 0, shape_of(kind).jaw_radius)).norm(), rounding);
+        EXPECT_LT((0.5 * (parts[jaw_plus].b + parts[jaw_minus].b) + Vec3(0, 0, shape_of(kind).jaw_radius)).norm(),
+                  rounding);
         EXPECT_NEAR(parts[jaw_plus].a.z(), -shape_of(kind).jaw_length, rounding);
         EXPECT_LT(parts[shaft].a.z(), parts[shaft].b.z());
     }
@@ -43,7 +44,8 @@ TEST(Tool, TipsOfClosedJawsAreAtTheFramesOrigin) {
 
 // Published sizes of the real instruments; a jaw that opens too little cannot take the thread.
 TEST(Tool, OpensAsFarAsTheRealOne) {
-    const auto forceps = parts_at(shape_of(Kind::forceps), {}, 1), holder = parts_at(shape_of(Kind::needle_holder), {}, 1);
+    const auto forceps = parts_at(shape_of(Kind::forceps), {}, 1),
+               holder = parts_at(shape_of(Kind::needle_holder), {}, 1);
     EXPECT_NEAR((forceps[jaw_plus].b - forceps[jaw_minus].b).norm() - 0.4e-3, 5e-3, 0.01e-3);
     const Vec3 a = holder[jaw_plus].b - holder[jaw_plus].a, b = holder[jaw_minus].b - holder[jaw_minus].a;
     EXPECT_NEAR(std::acos(a.normalized().dot(b.normalized())), 20 * EIGEN_PI / 180, 0.001);
