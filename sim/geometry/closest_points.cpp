@@ -46,8 +46,8 @@ ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Triangle& tri) 
 
     const Vec3 d = a1 - a0, ab = tri.b - tri.a, ac = tri.c - tri.a, normal = ab.cross(ac);
     const double nn = normal.squaredNorm(), h0 = normal.dot(a0 - tri.a), h1 = normal.dot(a1 - tri.a);
-    if (nn == 0) return best;
-    // The face against the place s of the segment, if its foot is inside: barycentric coordinates as shares of area.
+    // The face against the place s of the segment, if its foot is inside: barycentric coordinates as shares of area,
+    // not a number if there is none.
     const auto consider = [&](double s) {
         const Vec3 on_a = a0 + s * d, ap = on_a - tri.a;
         const double v = normal.dot(ap.cross(ac)) / nn, w = normal.dot(ab.cross(ap)) / nn;

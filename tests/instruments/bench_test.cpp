@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -273,4 +274,44 @@ TEST(Bench, TheSameCallsGiveTheSameBits) {
     const std::vector<std::unique_ptr<int>> elsewhere(1000);
     const auto second = run();
     EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(double)), 0);
+}
+
+// A drill may start with a tool pressed into a vessel: it must come out, and must not be let in deeper.
+TEST(Bench, AToolPlacedInsideAWallCanOnlyLeave) {
+    const auto start = [](Bench& bench) {
+        bench.add_surface(vessel());
+        const int tool = bench.add_tool(Kind::needle_holder);
+        bench.set_pose(tool, {{Vec3(0, 0, 1.9e-3), down}, 0});
+        return tool;
+    };
+    Bench in, out;
+    const int deeper = start(in), leaving = start(out);
+    const double gap = in.clearance(deeper, 1e-3);
+    EXPECT_NEAR(gap, -0.1e-3, 0.02e-3);
+    EXPECT_TRUE(in.advance(deeper, {{Vec3(0, 0, 1.7e-3), down}, 0}).stopped);
+    EXPECT_GE(in.clearance(deeper, 1e-3), gap - in.skin(deeper) / 4);
+    EXPECT_FALSE(out.advance(leaving, {{Vec3(0, 0, 2.5e-3), down}, 0}).stopped);
+    EXPECT_GT(out.clearance(leaving, 1e-3), 0.4e-3);
+}
+
+// Bullet lists what is near in the order of its tree, which remembers how bodies moved: two recordings that reach the
+// same pose on different ways would meet the same things in another order.
+TEST(BulletWorld, WhatIsNearDoesNotDependOnHowItGotThere) {
+    const auto near_after = [](const std::vector<int>& order) {
+        BulletWorld world;
+        for (int i = 0; i < 6; ++i) world.add_capsule(10e-3, 1e-3);
+        world.add_surface(vessel());
+        for (const int i : order)
+            world.place(i, {Vec3(i * 1e-3, 0, 5e-3), Vec3(i * 1e-3, 0, 15e-3), 1e-3}, Vec3::UnitY());
+        Box box;
+        box.include(Vec3(2e-3, 0, 1e-3));
+        box.include(Vec3(4e-3, 0, 6e-3));
+        std::vector<BulletWorld::Near> found;
+        world.near(box, found);
+        return found;
+    };
+    const auto found = near_after({0, 1, 2, 3, 4, 5});
+    EXPECT_GT(found.size(), 5u);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    EXPECT_EQ(found, near_after({5, 0, 4, 2, 1, 3, 3, 5, 0, 2}));
 }
