@@ -84,7 +84,7 @@ TEST(ClosestPoints, SegmentsAgreeWithASlowSearch) {
     for (const unsigned seed : {1u, 2u}) {
         SCOPED_TRACE(seed);
         Scene scene(seed);
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 150; ++i) {
             const Vec3 a0 = scene.point(), da = scene.side(i, Vec3::UnitX()), b0 = scene.point(),
                        db = scene.side(i + 3, da);
             const auto pair = closest_points(a0, a0 + da, b0, b0 + db);
@@ -112,7 +112,7 @@ static double slow_distance(const Vec3& a0, const Vec3& a1, const Triangle& tria
 TEST(ClosestPoints, TrianglesAgreeWithASlowSearch) {
     Scene scene(3);
     int pierced = 0;
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 40; ++i) {
         const Vec3 a0 = scene.point(), along = 2 * scene.side(i + 1, Vec3::UnitY());
         const Vec3 corner = scene.point(), side = scene.side(i + 2, along);
         const Triangle triangle{corner, corner + side, i % 7 ? scene.point() : Vec3(corner + 0.5 * side)};
