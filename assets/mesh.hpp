@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,11 +24,22 @@ struct AssetError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Reads a triangle mesh (.obj, .ply, .stl) written in mm. Throws AssetError: missing, a directory, no triangles,
-/// non-finite vertices, larger than 1 m, degenerate or inverted ...
+/// Reads a triangle mesh (.obj, .ply, .stl) written in mm; polygons are split, equal corners become one vertex, texture
+/// and the like are ignored. It may be open (a board) or closed (a vessel).
+/// Throws AssetError: missing, a directory, not readable as a mesh, no triangles, a corner that is not finite, larger
+/// than 1 m or smaller than 0.1 mm, a triangle without area or given twice, an edge of three triangles, neighbours that
+/// face opposite ways, a closed mesh that faces inwards. Cost: n log n.
 Mesh load_mesh(const std::filesystem::path& file);
 
 /// Closed tube (outer and inner wall, end rings) along x, centred at the origin. [m]
+/// `around` (at least 3) sides, `along` (at least 1) rings of them; 0 < wall < outer_diameter / 2. The same bits
+/// everywhere.
 Mesh make_tube(double outer_diameter, double wall, double length, int around, int along);
+
+/// Writes a mesh as .obj text in mm, to the nanometre; `comment` is its first line.
+void write_obj(const Mesh& mesh, const std::string& comment, std::ostream& out);
+
+/// Volume inside a closed mesh [m^3]; negative if it faces inwards.
+double volume(const Mesh& mesh);
 
 }  // namespace assets

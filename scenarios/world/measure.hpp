@@ -18,6 +18,7 @@ struct Measures {
     sim::knot::Name knot;                      ///< Now, of the thread alone.
     double knot_since_s = 0;                   ///< When it took this name.
     std::vector<double> tail_mm;               ///< Two: from the knot to the first and to the last node; 0,0 if no knot.
+    std::vector<std::string> around;           ///< Vessels that the knot's loop goes round.
     double duration_s = 0;
     std::vector<double> path_mm;               ///< Per instrument, commanded path of the tip.
     std::vector<int> grasps;                   ///< Per instrument.

@@ -1,6 +1,7 @@
 #include "sim/geometry/closest_points.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim::geometry {
 
@@ -34,41 +35,30 @@ ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const
     return best;
 }
 
-// Closest point of a triangle to p, by the region p lies in. [Ericson2005] 5.1.5.
-static Vec3 nearest_on_triangle(const Vec3& p, const Triangle& tri) {
-    const Vec3 ab = tri.b - tri.a, ac = tri.c - tri.a, ap = p - tri.a, bp = p - tri.b, cp = p - tri.c;
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d1 <= 0 && d2 <= 0) return tri.a;
-    if (d3 >= 0 && d4 <= d3) return tri.b;
-    if (d6 >= 0 && d5 <= d6) return tri.c;
-    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return tri.a + d1 / (d1 - d3) * ab;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return tri.a + d2 / (d2 - d6) * ac;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return tri.b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (tri.c - tri.b);
-    return tri.a + (vb * ab + vc * ac) / (va + vb + vc);
-}
-
 ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Triangle& tri) {
-    const Vec3 d = a1 - a0, normal = (tri.b - tri.a).cross(tri.c - tri.a);
-    const double h0 = normal.dot(a0 - tri.a), h1 = normal.dot(a1 - tri.a);
+    // The edges answer for all but the inside of the face, also where there is no inside.
+    ClosestPair best = closest_points(a0, a1, tri.a, tri.b);
+    for (const auto& [from, to] : {std::pair(&tri.b, &tri.c), std::pair(&tri.c, &tri.a)}) {
+        const ClosestPair edge = closest_points(a0, a1, *from, *to);
+        if (edge.distance_squared < best.distance_squared) best = edge;
+    }
+    best.t = 0;
 
-    ClosestPair best{0.0, 0.0, a0, nearest_on_triangle(a0, tri), 0.0};
-    best.distance_squared = (best.on_a - best.on_b).squaredNorm();
-    const auto consider = [&](double s, const Vec3& on_a, const Vec3& on_b) {
+    const Vec3 d = a1 - a0, ab = tri.b - tri.a, ac = tri.c - tri.a, normal = ab.cross(ac);
+    const double nn = normal.squaredNorm(), h0 = normal.dot(a0 - tri.a), h1 = normal.dot(a1 - tri.a);
+    // The face against the place s of the segment, if its foot is inside: barycentric coordinates as shares of area,
+    // not a number if there is none.
+    const auto consider = [&](double s) {
+        const Vec3 on_a = a0 + s * d, ap = on_a - tri.a;
+        const double v = normal.dot(ap.cross(ac)) / nn, w = normal.dot(ab.cross(ap)) / nn;
+        if (!(v >= 0 && w >= 0 && v + w <= 1)) return;
+        const Vec3 on_b = tri.a + v * ab + w * ac;
         const double d2 = (on_a - on_b).squaredNorm();
         if (d2 < best.distance_squared) best = {s, 0.0, on_a, on_b, d2};
     };
-    consider(1.0, a1, nearest_on_triangle(a1, tri));
-    if ((h0 < 0) != (h1 < 0)) {  // through the plane: the piercing point, if it is inside
-        const double s = h0 / (h0 - h1);
-        const Vec3 p = a0 + s * d;
-        consider(s, p, nearest_on_triangle(p, tri));
-    }
-    const Vec3* corner[] = {&tri.a, &tri.b, &tri.c};
-    for (int i = 0; i < 3; ++i) {
-        const ClosestPair edge = closest_points(a0, a1, *corner[i], *corner[(i + 1) % 3]);
-        consider(edge.s, edge.on_a, edge.on_b);
-    }
+    consider(0.0);
+    consider(1.0);
+    if ((h0 < 0) != (h1 < 0)) consider(h0 / (h0 - h1));  // through the plane
     return best;
 }
 

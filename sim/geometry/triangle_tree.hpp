@@ -16,6 +16,7 @@ class TriangleTree {
     void near(const Box& box, std::vector<int>& found) const;
 
     const Triangle& operator[](int i) const { return triangles_[static_cast<std::size_t>(i)]; }
+    const std::vector<Triangle>& triangles() const { return triangles_; }
     int size() const { return static_cast<int>(triangles_.size()); }
 
   private:

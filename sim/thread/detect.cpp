@@ -7,20 +7,17 @@ using geometry::closest_points;
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Links between a tool's own jaws are held, not pushed: those within a jaw's width of a node that the tool holds.
-static bool is_held_by(const State& state, int link, int owner, double jaw_radius) {
-    for (std::size_t h = 0; h < state.input.holds.size(); ++h) {
-        if (state.input.hold_owners[h] != owner) continue;
-        const int away = static_cast<int>(2 * jaw_radius / state.rest[at(link)]) + 1;
-        const int node = state.input.holds[h].node;
-        if (link >= node - 1 - away && link <= node + away) return true;
-    }
-    return false;
+// A link with both ends in a tool's jaws is inside that tool; every other link must keep out of it.
+static bool is_held_by(const State& state, int link, int owner) {
+    int ends = 0;
+    for (std::size_t h = 0; h < state.input.holds.size(); ++h)
+        if (state.input.hold_owners[h] == owner)
+            ends += state.input.holds[h].node == link || state.input.holds[h].node == link + 1;
+    return ends == 2;
 }
 
 static void add(State& state, Against against, int link, int other, double thickness, double friction, double gap) {
-    Contact contact{against, link, other, gap, thickness, friction};
-    state.contacts.push_back(contact);
+    state.contacts.push_back({against, link, other, gap, thickness, friction});
 }
 
 static void detect_self(State& state) {
@@ -41,7 +38,7 @@ static void detect_capsules(State& state) {
         box.include(capsule.b);
         state.tree.near(box.grown(reach), [&](int i) {
             const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], capsule.a, capsule.b);
-            if (pair.distance_squared < reach * reach && !is_held_by(state, i, state.input.capsules[c].owner, capsule.radius))
+            if (pair.distance_squared < reach * reach && !is_held_by(state, i, state.input.capsules[c].owner))
                 add(state, Against::capsule, i, static_cast<int>(c), state.def.radius + capsule.radius,
                     state.def.friction_tool, std::sqrt(pair.distance_squared));
         });
@@ -73,17 +70,11 @@ void detect(State& state, double reach) {
     detect_surface(state);
 }
 
-static double gap_now(const State& state, const Contact& c) {
+geometry::ClosestPair nearest(const State& state, const Contact& c) {
     const Vec3 &a0 = state.nodes[at(c.link)], &a1 = state.nodes[at(c.link + 1)];
-    switch (c.against) {
-        case Against::thread:
-            return std::sqrt(closest_points(a0, a1, state.nodes[at(c.other)], state.nodes[at(c.other + 1)]).distance_squared);
-        case Against::capsule:
-            return std::sqrt(closest_points(a0, a1, state.capsules[at(c.other)].a, state.capsules[at(c.other)].b).distance_squared);
-        case Against::surface:
-            return std::sqrt(closest_points(a0, a1, (*state.input.surface)[c.other]).distance_squared);
-    }
-    return 0;
+    if (c.against == Against::surface) return closest_points(a0, a1, (*state.input.surface)[c.other]);
+    if (c.against == Against::capsule) return closest_points(a0, a1, state.capsules[at(c.other)].a, state.capsules[at(c.other)].b);
+    return closest_points(a0, a1, state.nodes[at(c.other)], state.nodes[at(c.other + 1)]);
 }
 
 // A node may use `bound_share` of the distance from either of its links to whatever they are not joined to. Things not
@@ -96,7 +87,9 @@ void measure_gaps(State& state) {
         state.bound[at(link + 1)] = std::min(state.bound[at(link + 1)], room);
     };
     for (Contact& c : state.contacts) {
-        c.gap = gap_now(state, c);
+        const auto pair = nearest(state, c);
+        c.gap = std::sqrt(pair.distance_squared);
+        c.place = pair.t;
         // A surface stands still, so the thread may use both shares.
         tighten(c.link, c.against == Against::surface ? 2 * bound_share * c.gap : bound_share * c.gap);
         if (c.against == Against::thread) tighten(c.other, bound_share * c.gap);
@@ -106,7 +99,11 @@ void measure_gaps(State& state) {
         Contact& c = state.contacts[k];
         c.normal_push = 0;
         c.tangent_push.setZero();
-        const double closing = 2 * std::max(state.bound[at(c.link)], state.bound[at(c.link + 1)]);
+        // No more overlap is undone at once than leaves the nodes most of their bound: clipped moves would stretch links.
+        constexpr double for_parting = 0.25;
+        c.target = std::min(c.thickness, c.gap + for_parting * std::min(state.bound[at(c.link)], state.bound[at(c.link + 1)]));
+        // A substep moves what touches by less than a radius; what is missed now is met next time, outside its bound still.
+        const double closing = 2 * std::min(state.def.radius, std::max(state.bound[at(c.link)], state.bound[at(c.link + 1)]));
         if (c.gap < c.thickness + closing) state.active.push_back(static_cast<int>(k));
     }
 }

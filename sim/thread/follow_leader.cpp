@@ -31,12 +31,14 @@ static void drag_between(State& state, int first, int last) {
     for (std::size_t i = f + 1; i < l; ++i) state.nodes[i] = 0.5 * (state.nodes[i] + state.forward[i]);
 }
 
-void follow_leader(State& state, double progress) {
+void place_held(State& state, double progress) {
     const auto& holds = state.input.holds;
     for (std::size_t h = 0; h < holds.size(); ++h)
         state.nodes[static_cast<std::size_t>(holds[h].node)] =
             state.hold_from[h] + progress * (holds[h].target - state.hold_from[h]);
+}
 
+void follow_leader(State& state) {
     int previous = -1;
     for (int i = 0; i <= state.links(); ++i) {
         if (state.inverse_mass[static_cast<std::size_t>(i)] > 0) continue;

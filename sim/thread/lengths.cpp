@@ -5,6 +5,7 @@ namespace sim::thread {
 double worst_stretch(const State& state) {
     double worst = 0;
     for (std::size_t k = 0; k < state.rest.size(); ++k) {
+        if (state.inverse_mass[k] + state.inverse_mass[k + 1] == 0) continue;  // between jaws, as it was when grasped
         const double length = (state.nodes[k + 1] - state.nodes[k]).norm();
         worst = std::max(worst, std::abs(length / state.rest[k] - 1));
     }
@@ -19,6 +20,7 @@ static double measure_links(State& state) {
         const double length = d.norm();
         state.unit[k] = length > 0 ? Vec3(d / length) : Vec3::UnitX();
         state.multiplier[k] = state.rest[k] - length;
+        if (state.inverse_mass[k] + state.inverse_mass[k + 1] == 0) state.multiplier[k] = 0;  // held at both ends
         worst = std::max(worst, std::abs(state.multiplier[k]) / state.rest[k]);
     }
     return worst;
@@ -44,6 +46,7 @@ double solve_lengths(State& state) {
     }
     for (std::size_t k = n - 1; k-- > 0;) state.multiplier[k] -= state.upper[k] * state.multiplier[k + 1];
     for (std::size_t k = 0; k < n; ++k) {
+        state.pulled[k] += state.multiplier[k];
         const Vec3 push = state.multiplier[k] * state.unit[k];
         state.nodes[k] -= state.inverse_mass[k] * push;
         state.nodes[k + 1] += state.inverse_mass[k + 1] * push;

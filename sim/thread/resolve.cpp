@@ -10,13 +10,6 @@ static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static Vec3 along(const Vec3& a, const Vec3& b, double s) { return a + s * (b - a); }
 
-static ClosestPair nearest(const State& state, const Contact& c) {
-    const Vec3 &a0 = state.nodes[at(c.link)], &a1 = state.nodes[at(c.link + 1)];
-    if (c.against == Against::surface) return closest_points(a0, a1, (*state.input.surface)[c.other]);
-    if (c.against == Against::capsule) return closest_points(a0, a1, state.capsules[at(c.other)].a, state.capsules[at(c.other)].b);
-    return closest_points(a0, a1, state.nodes[at(c.other)], state.nodes[at(c.other + 1)]);
-}
-
 // How far the touching points have slid over each other since the substep began: those of the link minus the other's.
 static Vec3 slid(const State& state, const Contact& c, const ClosestPair& pair) {
     Vec3 slip = pair.on_a - along(state.before[at(c.link)], state.before[at(c.link + 1)], pair.s);
@@ -36,19 +29,33 @@ static double mobility(const State& state, int link, double place) {
     return state.inverse_mass[at(link)] * (1 - place) * (1 - place) + state.inverse_mass[at(link + 1)] * place * place;
 }
 
+// What passes stop for: strands into each other by a fiftieth of the thread's thickness, thread into steel or a wall by a
+// tenth of it, both out of sight.
+static double over_goal(const State& state, const Contact& c, double distance) {
+    const double goal = (c.against == Against::thread ? 0.02 : 0.1) * 2 * state.def.radius;
+    return std::max(0.0, (c.target - distance) / goal);
+}
+
+// What tools wait for: strands by a twentieth, for there topology is at stake; a centre line half way to a tool's axis or
+// to a wall, which only a thread that is trapped comes to.
+static double over_limit(const Contact& c, double distance) {
+    const double limit = (c.against == Against::thread ? 0.05 : 0.5) * c.thickness;
+    return std::max(0.0, (c.thickness - distance) / limit);
+}
+
 // Projected Gauss-Seidel on one contact: the normal push never pulls, the tangential one stays in Coulomb's cone. Both
 // are totals of the substep, so neither depends on how many passes are made or how long a tick is.
 static double resolve(State& state, Contact& c) {
     const ClosestPair pair = nearest(state, c);
     const double distance = std::sqrt(pair.distance_squared);
-    if (distance > c.thickness && c.normal_push == 0) return 0;
+    if (distance > c.target && c.normal_push == 0) return 0;
     if (distance > 0) c.normal = (pair.on_a - pair.on_b) / distance;
 
     double weight = mobility(state, c.link, pair.s);
     if (c.against == Against::thread) weight += mobility(state, c.other, pair.t);
     if (weight == 0) return 0;  // both held: nothing to push
 
-    const double wanted = std::max(0.0, c.normal_push + (c.thickness - distance) / weight);
+    const double wanted = std::max(0.0, c.normal_push + (c.target - distance) / weight);
     Vec3 push = (wanted - c.normal_push) * c.normal;
     c.normal_push = wanted;
 
@@ -62,7 +69,7 @@ static double resolve(State& state, Contact& c) {
 
     push_link(state, c.link, pair.s, push);
     if (c.against == Against::thread) push_link(state, c.other, pair.t, -push);
-    return std::max(0.0, 1 - distance / c.thickness);
+    return over_goal(state, c, distance);
 }
 
 double resolve_contacts(State& state) {
@@ -75,7 +82,7 @@ double worst_overlap(const State& state) {
     double worst = 0;
     for (const int k : state.active) {
         const Contact& c = state.contacts[at(k)];
-        worst = std::max(worst, 1 - std::sqrt(nearest(state, c).distance_squared) / c.thickness);
+        worst = std::max(worst, over_limit(c, std::sqrt(nearest(state, c).distance_squared)));
     }
     return worst;
 }

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/triangle_tree.hpp"
 #include "sim/thread/link_tree.hpp"
 #include "sim/thread/thread.hpp"
@@ -18,6 +19,8 @@ struct Contact {
     double gap;                   ///< Centre-line distance to the other's centre line or surface, substep start [m].
     double thickness;             ///< Distance at which the two touch [m].
     double friction;              ///< Coulomb coefficient.
+    double target = 0;            ///< Distance to come to in this substep: `thickness`, or less when deep inside [m].
+    double place = 0;             ///< Where along the other's axis it is nearest, 0..1, substep start.
     double normal_push = 0;       ///< >= 0.
     Vec3 tangent_push = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();  ///< From the other towards the link; last one known.
@@ -49,6 +52,8 @@ struct State {
     std::vector<int> active;           ///< Contacts that can touch in this substep.
 
     // Carried from tick to tick.
+    std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
+    double drift_way = 0;              ///< ... while held nodes or tools went this far [m].
     double trust = 1;                  ///< Share of the admissible step that the last substep managed.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
@@ -57,6 +62,8 @@ struct State {
     std::vector<int> found;            ///< Scratch.
     std::vector<Vec3> unit;            ///< Scratch of the length solve.
     std::vector<double> upper, multiplier;
+    std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
+    std::vector<Vec3> last_pass, last_step;  ///< Scratch of relaxation.
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
     mutable std::vector<Box> audit_boxes;  ///< Scratch of the audit.
     mutable std::vector<int> audit_found;
@@ -64,11 +71,12 @@ struct State {
 
 // Tolerances, as shares of the thread's own sizes.
 constexpr double stretch_tolerance = 5e-4;     ///< Of a link's rest length: half of what a thread at rest may show.
-constexpr double overlap_tolerance = 0.02;     ///< Of the distance at which two things touch.
 constexpr double bound_share = 0.45;           ///< Two neighbours that each use it keep a tenth of their distance.
 
-/// Follow-The-Leader from every held node to its target (follow_leader.cpp).
-void follow_leader(State& state, double progress);
+/// Held nodes to where they are asked to be at `progress` (follow_leader.cpp).
+void place_held(State& state, double progress);
+/// Follow-The-Leader from every held node outwards.
+void follow_leader(State& state);
 
 /// One Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it (lengths.cpp).
 double solve_lengths(State& state);
@@ -79,9 +87,13 @@ void detect(State& state, double reach);
 /// Gaps of all contacts as the nodes stand, the bound of each node from them, and which contacts are active.
 void measure_gaps(State& state);
 
-/// One pass over active contacts with friction; returns the worst overlap found before it, as a share of the
-/// touching distance (resolve.cpp).
+/// Closest points of a contact's link and its other, as both stand now.
+geometry::ClosestPair nearest(const State& state, const Contact& contact);
+
+/// One pass over active contacts with friction; returns the worst overlap found before it, 1 where it is small enough
+/// (resolve.cpp).
 double resolve_contacts(State& state);
+/// Worst overlap of any contact, 1 where tools must wait.
 double worst_overlap(const State& state);
 /// Keeps every bend no tighter than the thread's own radius.
 void limit_bends(State& state);

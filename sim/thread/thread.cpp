@@ -25,11 +25,15 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
       inverse_mass(nodes.size(), 1.0),
       before(nodes),
       bound(nodes.size(), 0.0),
+      drift(nodes.size(), Vec3::Zero()),
       tension(rest.size(), 0.0),
       tree(static_cast<int>(rest.size())),
       unit(rest.size()),
       upper(rest.size()),
       multiplier(rest.size()),
+      pulled(rest.size(), 0.0),
+      last_pass(nodes.size()),
+      last_step(nodes.size(), Vec3::Zero()),
       forward(nodes.size()) {}
 
 TickReport tick(State& state, const TickInput& input);
@@ -59,6 +63,9 @@ std::uint64_t Thread::hash() const {
     const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; };
     for (const Vec3& p : impl_->state.nodes)
         for (int c = 0; c < 3; ++c) add(p[c]);
+    for (const Vec3& p : impl_->state.drift)
+        for (int c = 0; c < 3; ++c) add(p[c]);
+    add(impl_->state.drift_way);
     add(impl_->state.trust);
     add(impl_->state.settled);
     return hash;

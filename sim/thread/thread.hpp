@@ -31,7 +31,7 @@ struct Hold {
 /// A tool part during one tick: end points move linearly, the radius is that of `from`.
 struct MovingCapsule {
     Capsule from, to;
-    int owner = 0;             ///< Which tool; a link with a node held by the same owner is not tested against it.
+    int owner = 0;             ///< Which tool; a link with both nodes held by the same owner is not tested against it.
 };
 
 /// What enters one tick. Nodes appear in `holds` at most once.

@@ -1,5 +1,3 @@
-#include <cstring>
-
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {
@@ -60,23 +58,38 @@ void clip(State& state) {
     }
 }
 
-struct Violation {
-    double stretch, overlap;
-    /// 1 where the tolerance is just used up.
-    double size() const { return std::max(stretch / stretch_tolerance, overlap / overlap_tolerance); }
-};
+// 1 where a tolerance is just used up.
+double violation(const State& state) { return std::max(worst_stretch(state) / stretch_tolerance, worst_overlap(state)); }
 
-Violation violation(const State& state) { return {worst_stretch(state), worst_overlap(state)}; }
-
-// Contacts and lengths in turn until neither is violated. Lengths come last: they converge at once where they can.
+// Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. One strand
+// that drags a long slack one by a single crossing converges slowly, for each pass moves the crossing by the share of one
+// link in the whole strand. Such an approach is geometric, so its limit can be had from two successive steps (Aitken).
 void relax(State& state) {
     constexpr int most_passes = 24;  // a knot being tightened takes 5 to 15; what needs more is jammed
+    constexpr int between_jumps = 4;
+    constexpr double longest_jump = 20;  // in steps; two steps say no more than this about the limit
+    std::vector<Vec3>&last = state.last_pass, &step = state.last_step;
     for (int pass = 0; pass < most_passes; ++pass) {
+        last = state.nodes;
         const double overlap = resolve_contacts(state);
         limit_bends(state);
         const double stretch = solve_lengths(state);
         clip(state);
-        if (pass > 0 && overlap < 0.5 * overlap_tolerance && stretch < 0.5) break;
+        if (pass > 0 && overlap < 1 && stretch < 0.5) break;
+
+        double along = 0, before = 0;
+        for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+            const Vec3 now = state.nodes[i] - last[i];
+            along += now.dot(step[i]);
+            before += step[i].squaredNorm();
+            step[i] = now;
+        }
+        if (pass % between_jumps == between_jumps - 1 && along > 0 && before > 0) {
+            const double ratio = along / before, jump = ratio < 1 ? std::min(longest_jump, ratio / (1 - ratio)) : longest_jump;
+            for (std::size_t i = 0; i < state.nodes.size(); ++i)
+                if (state.inverse_mass[i] > 0) state.nodes[i] += jump * step[i];
+            clip(state);
+        }
     }
     for (int pass = 0; pass < 3 && solve_lengths(state) > 0.1 * stretch_tolerance; ++pass) clip(state);
     clip(state);
@@ -88,42 +101,76 @@ struct Substep {
     int pass_throughs = 0;
 };
 
-// Moves tools and held nodes on to `progress` and lets the thread follow. Undone unless the result is within tolerance
-// or better than what was there: so a thread that cannot follow stays as it is and the tools wait.
-Substep attempt(State& state, double progress) {
-    const double was = violation(state).size();
-    state.before = state.nodes;
-    state.capsules_before = state.capsules;
-    place_capsules(state, state.capsules, progress);
-    follow_leader(state, progress);
+// How the thread answers when held nodes move. Least motion first: all nodes together move as little as the lengths
+// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread as
+// if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
+enum class Answer { drift, follow_the_leader };
+
+void try_answer(State& state, double progress, double way, Answer answer) {
+    std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
+    for (const int k : state.active) {
+        state.contacts[static_cast<std::size_t>(k)].normal_push = 0;
+        state.contacts[static_cast<std::size_t>(k)].tangent_push.setZero();
+    }
+    if (answer == Answer::drift && state.drift_way > 0) {
+        const double share = 0.9 * std::min(2.0, way / state.drift_way);
+        for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
+    }
+    place_held(state, progress);
+    if (answer == Answer::follow_the_leader) follow_leader(state);
     clip(state);
     relax(state);
+}
 
-    Substep result;
-    const double is = violation(state).size();
-    result.accepted = is <= 1 || is < was;
-    if (!result.accepted) {
-        state.nodes = state.before;
-        state.capsules = state.capsules_before;
-        return result;
-    }
+double largest_move(const State& state) {
     double moved = 0;
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-        const double distance = (state.nodes[i] - state.before[i]).norm();
-        moved = std::max(moved, distance);
-        if (distance > 0) result.over_bound = std::max(result.over_bound, distance / state.bound[i]);
-    }
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) moved = std::max(moved, (state.nodes[i] - state.before[i]).norm());
     for (std::size_t c = 0; c < state.capsules.size(); ++c)
         moved = std::max({moved, (state.capsules[c].a - state.capsules_before[c].a).norm(),
                           (state.capsules[c].b - state.capsules_before[c].b).norm()});
+    return moved;
+}
+
+double largest_move_over_bound(const State& state) {
+    double worst = 0;
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        const double moved = (state.nodes[i] - state.before[i]).norm();
+        if (moved > 0) worst = std::max(worst, moved / state.bound[i]);
+    }
+    return worst;
+}
+
+// Moves tools and held nodes on to `progress` and lets the thread answer. Undone unless the result is within tolerance
+// or no worse than what was there: so a thread that cannot follow stays as it is and the tools wait.
+Substep attempt(State& state, double progress, double way) {
+    const double was = violation(state);
+    state.before = state.nodes;
+    state.capsules_before = state.capsules;
+    place_capsules(state, state.capsules, progress);
+    Substep result;
+    for (const Answer answer : {Answer::drift, Answer::follow_the_leader}) {
+        try_answer(state, progress, way, answer);
+        const double is = violation(state);
+        result.accepted = is <= std::max(1.0, was);
+        if (result.accepted) break;
+        state.nodes = state.before;
+    }
+    if (!result.accepted) {
+        state.capsules = state.capsules_before;
+        return result;
+    }
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.drift[i] = state.nodes[i] - state.before[i];
+    state.drift_way = way;
+    const double moved = largest_move(state);
     state.moved += moved;
     state.settled = moved == 0;
+    result.over_bound = largest_move_over_bound(state);
     result.pass_throughs = audit(state);
     return result;
 }
 
-// Share of the whole tick's motion that one substep may make: no held node farther than its own bound, no tool part near
-// the thread farther than the thread's radius.
+// Share of the whole tick's motion that one substep may make: no held node farther than its own bound, no tool part into
+// the thread by more than the thread's radius.
 double admissible_share(const State& state, const Motion& motion) {
     double share = 1;
     double least_bound = state.reach;
@@ -131,9 +178,13 @@ double admissible_share(const State& state, const Motion& motion) {
     // Followers move no farther than their leader while links keep their length; a third is left for what contacts add.
     constexpr double for_leading = 0.7;
     if (motion.of_holds > 0) share = std::min(share, for_leading * least_bound / motion.of_holds);
-    bool near_tool = false;
-    for (const int k : state.active) near_tool |= state.contacts[static_cast<std::size_t>(k)].against == Against::capsule;
-    if (near_tool && motion.of_capsules > 0) share = std::min(share, state.def.radius / motion.of_capsules);
+    for (const Contact& c : state.contacts) {
+        if (c.against != Against::capsule) continue;
+        const MovingCapsule& tool = state.input.capsules[static_cast<std::size_t>(c.other)];
+        const double way = mix(tool.to.a - tool.from.a, tool.to.b - tool.from.b, c.place).norm();
+        const double room = std::max(state.def.radius, c.gap - c.thickness);
+        if (way * share > room) share = room / way;
+    }
     return share;
 }
 
@@ -149,7 +200,8 @@ TickReport tick(State& state, const TickInput& input) {
     begin(state, input);
     const Motion motion = motion_asked(state);
     const double touching = 2 * state.def.radius;
-    const auto look_around = [&] { detect(state, touching + 2 * std::max(touching, motion.most())); };
+    // What was beyond reach cannot touch before something has moved by half the rest; then we look again.
+    const auto look_around = [&] { detect(state, 3 * touching); };
     if (motion.most() > 0 || !state.settled) {
         look_around();
         constexpr int most_substeps = 64, most_refusals = 2;  // what is left after them is lag, not a late tick
@@ -160,7 +212,7 @@ TickReport tick(State& state, const TickInput& input) {
             report.contacts = std::max(report.contacts, static_cast<int>(state.active.size()));
             const double share = admissible_share(state, motion) * state.trust;
             const double next = motion.most() > 0 ? std::min(1.0, state.progress + share) : 1.0;
-            const Substep step = attempt(state, next);
+            const Substep step = attempt(state, next, (next - state.progress) * motion.most());
             ++report.substeps;
             report.pass_throughs += step.pass_throughs;
             report.step_over_bound = std::max(report.step_over_bound, step.over_bound);

@@ -1,0 +1,156 @@
+#include "assets/mesh.hpp"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace assets {
+
+using sim::geometry::Triangle;
+
+std::vector<Triangle> Mesh::soup() const {
+    std::vector<Triangle> result;
+    result.reserve(triangles.size());
+    const auto at = [&](int i) -> const Vec3& { return vertices[static_cast<std::size_t>(i)]; };
+    for (const auto& [a, b, c] : triangles) result.push_back({at(a), at(b), at(c)});
+    return result;
+}
+
+double volume(const Mesh& mesh) {
+    double six = 0;
+    for (const Triangle& t : mesh.soup()) six += t.a.dot(t.b.cross(t.c));
+    return six / 6;
+}
+
+namespace {
+
+struct Reader {
+    const std::filesystem::path& file;
+
+    [[noreturn]] void fail(const std::string& what) const { throw AssetError(file.string() + ": error: " + what); }
+
+    void check_file() const {
+        std::error_code ignored;
+        if (!std::filesystem::exists(file, ignored)) fail("no such file");
+        if (std::filesystem::is_directory(file, ignored)) fail("is a directory, a .obj, .ply or .stl file is needed");
+        std::string type = file.extension().string();
+        std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (type != ".obj" && type != ".ply" && type != ".stl")
+            fail("'" + type + "' is not a known kind of mesh, .obj, .ply or .stl is needed");
+        if (type == ".ply") check_ply_header();
+    }
+
+    // assimp 5.2 runs for ever on a header that does not end or that promises more elements than there are.
+    void check_ply_header() const {
+        const auto size = std::filesystem::file_size(file);
+        std::ifstream in(file, std::ios::binary);
+        std::string line;
+        while (std::getline(in, line)) {
+            std::istringstream words(line);
+            std::string key, what;
+            words >> key;
+            if (key == "end_header") return;
+            double count = 0;
+            if (key == "element" && !(words >> what >> count && count <= static_cast<double>(size)))
+                fail("says '" + line.substr(0, 60) + "', more than the file can hold");
+        }
+        fail("has no 'end_header', it is cut off or not a .ply file");
+    }
+
+    Mesh read() const {
+        Assimp::Importer importer;
+        const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+        if (!scene) {
+            std::string why = importer.GetErrorString();
+            std::replace(why.begin(), why.end(), '\n', ' ');
+            fail("cannot be read as a mesh: " + why);
+        }
+        Mesh mesh;
+        std::map<std::array<float, 3>, int> known;
+        for (const aiMesh* part : std::vector<aiMesh*>(scene->mMeshes, scene->mMeshes + scene->mNumMeshes))
+            for (unsigned f = 0; f < part->mNumFaces; ++f) {
+                const aiFace& face = part->mFaces[f];
+                if (face.mNumIndices != 3) continue;  // loose points and lines
+                std::array<int, 3> triangle{};
+                for (unsigned i = 0; i < 3; ++i) {
+                    const aiVector3D& p = part->mVertices[face.mIndices[i]];
+                    const Vec3 corner(p.x, p.y, p.z);
+                    if (!corner.allFinite())
+                        fail(name(mesh.triangles.size()) + " has a corner that is not a finite number");
+                    const auto [place, is_new] =
+                        known.try_emplace({p.x, p.y, p.z}, static_cast<int>(mesh.vertices.size()));
+                    if (is_new) mesh.vertices.push_back(corner * 1e-3);
+                    triangle[i] = place->second;
+                }
+                mesh.triangles.push_back(triangle);
+            }
+        if (mesh.triangles.empty()) fail("has no triangles");
+        return mesh;
+    }
+
+    static std::string name(std::size_t triangle) { return "triangle " + std::to_string(triangle + 1); }
+
+    void check_size(const Mesh& mesh) const {
+        sim::geometry::Box box;
+        for (const Vec3& p : mesh.vertices) box.include(p);
+        const double size = (box.high - box.low).maxCoeff();
+        const std::string across = "is " + std::to_string(size * 1e3) + " mm across, ";
+        if (size > 1) fail(across + "at most 1000 mm is right; is it written in mm?");
+        if (size < 0.1e-3) fail(across + "at least 0.1 mm is right; is it written in mm?");
+    }
+
+    void check_triangles(const Mesh& mesh) const {
+        std::set<std::array<int, 3>> seen;
+        const auto soup = mesh.soup();
+        for (std::size_t i = 0; i < soup.size(); ++i) {
+            const auto& [a, b, c] = soup[i];
+            // Corners come as float: a height below their rounding is no height.
+            const double edge = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+            const double largest =
+                std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+            const double rounding = std::numeric_limits<float>::epsilon() * largest;
+            if ((b - a).cross(c - a).norm() <= edge * rounding) fail(name(i) + " has no area, remove it");
+            auto corners = mesh.triangles[i];
+            std::sort(corners.begin(), corners.end());
+            if (!seen.insert(corners).second) fail(name(i) + " is there twice, remove one");
+        }
+    }
+
+    /// True if every edge has two triangles.
+    bool check_edges(const Mesh& mesh) const {
+        std::map<std::array<int, 2>, std::array<int, 2>> uses;  // of an edge, low vertex first: upwards, downwards
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int from = mesh.triangles[i][k], to = mesh.triangles[i][(k + 1) % 3];
+                auto& [up, down] = uses[{std::min(from, to), std::max(from, to)}];
+                ++(from < to ? up : down);
+                if (up + down > 2) fail(name(i) + " has an edge of more than two triangles, a surface has at most two");
+                if (up == 2 || down == 2) fail(name(i) + " faces the other way than its neighbour, turn one around");
+            }
+        return std::all_of(uses.begin(), uses.end(),
+                           [](const auto& use) { return use.second[0] + use.second[1] == 2; });
+    }
+};
+
+}  // namespace
+
+Mesh load_mesh(const std::filesystem::path& file) {
+    const Reader reader{file};
+    reader.check_file();
+    Mesh mesh = reader.read();
+    reader.check_size(mesh);
+    reader.check_triangles(mesh);
+    if (reader.check_edges(mesh) && volume(mesh) < 0)
+        reader.fail("faces inwards everywhere, turn its triangles around");
+    return mesh;
+}
+
+}  // namespace assets

@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "sim/geometry/shapes.hpp"
+
+namespace instruments {
+
+using sim::geometry::Box;
+using sim::geometry::Capsule;
+using sim::geometry::Triangle;
+using sim::geometry::Vec3;
+
+/// One Bullet unit [m]. Bullet's fixed lengths (0.05 of slack around every body in its tree, 0.04 of margin on a mesh,
+/// advice to stay above 0.1) were chosen for objects of about one unit; jaws, threads and vessel walls are about 1 mm.
+constexpr double bullet_unit = 1e-3;
+
+/// The Bullet bodies of the bench, and who is near whom. Everything outside is in metres.
+class BulletWorld {
+  public:
+    explicit BulletWorld(double metres_per_unit = bullet_unit);
+    ~BulletWorld();
+
+    /// Bodies are numbered 0, 1, 2 ... in the order they are added.
+    int add_surface(const std::vector<Triangle>& triangles);  ///< Static; at least one triangle.
+    int add_capsule(double length, double radius);            ///< Kinematic; `length` between its end points [m].
+
+    /// Moves a capsule: its end points, and the hinge axis (unit, perpendicular to b - a).
+    void place(int body, const Capsule& capsule, const Vec3& hinge_axis);
+
+    /// Something near a box: a capsule, or one triangle of a surface. Ordered by body, then by triangle.
+    struct Near {
+        int body;
+        int triangle;  ///< Index into the surface's triangles; -1 for a capsule.
+        auto operator<=>(const Near&) const = default;
+    };
+    /// Replaces `found` by all that may touch `box` (never too few), in ascending order: Bullet's own order is that of
+    /// its tree, which depends on how bodies moved before.
+    void near(const Box& box, std::vector<Near>& found) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace instruments

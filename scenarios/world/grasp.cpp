@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/world/world.hpp"
+
+namespace scenarios::world {
+
+namespace {
+
+// Jaws count as shut below the first and as let go above the second, so a trembling hand does not chatter.
+constexpr double shut_below = 0.25, open_above = 0.40;
+
+Vec3 in_tool(const ToolInput& tool, const Vec3& world_point) {
+    return tool.pose.rotation.conjugate() * (world_point - tool.pose.position);
+}
+
+// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the hinge
+// to the tip along z.
+struct JawRoom {
+    instruments::Capsule plus, minus;
+
+    JawRoom(const instruments::ToolShape& shape, double jaw) {
+        const auto parts = instruments::parts_at(shape, {}, jaw);
+        plus = parts[instruments::jaw_plus];
+        minus = parts[instruments::jaw_minus];
+        if (plus.a.z() > plus.b.z()) std::swap(plus.a, plus.b);
+        if (minus.a.z() > minus.b.z()) std::swap(minus.a, minus.b);
+    }
+    double axis_x(const instruments::Capsule& jaw, double z) const {
+        const double t = std::clamp((z - jaw.a.z()) / (jaw.b.z() - jaw.a.z()), 0.0, 1.0);
+        return jaw.a.x() + t * (jaw.b.x() - jaw.a.x());
+    }
+    bool holds(const Vec3& p, double reach_y) const {
+        if (p.z() < plus.a.z() || p.z() > plus.b.z() + plus.radius) return false;
+        return std::abs(p.y()) <= reach_y && p.x() <= axis_x(plus, p.z()) && p.x() >= axis_x(minus, p.z());
+    }
+    /// Half of the gap between the jaws' surfaces at z; not negative.
+    double half_gap(double z) const { return std::max(0.0, axis_x(plus, z) - plus.radius); }
+};
+
+// The closing jaws lay the strand flat between their inner faces; each link keeps its length and, in the plane of the
+// jaws, its direction.
+void flatten(Grasp& grasp, const JawRoom& room) {
+    const auto lay = [&](int from, int to) {
+        const Vec3& leader = grasp.anchor[static_cast<std::size_t>(from)];
+        Vec3& follower = grasp.anchor[static_cast<std::size_t>(to)];
+        Vec3 d = follower - leader;
+        const double length2 = d.squaredNorm(), half = room.half_gap(follower.z());
+        d.x() = std::clamp(follower.x(), -half, half) - leader.x();
+        const double flat2 = d.y() * d.y() + d.z() * d.z(), wanted2 = std::max(0.0, length2 - d.x() * d.x());
+        if (flat2 > 0) {
+            d.y() *= std::sqrt(wanted2 / flat2);
+            d.z() *= std::sqrt(wanted2 / flat2);
+        } else {
+            d.y() = std::sqrt(wanted2);  // it stood across the jaws: they lay it to one side
+        }
+        follower = leader + d;
+    };
+    const int middle = grasp.count / 2;
+    Vec3& centre = grasp.anchor[static_cast<std::size_t>(middle)];
+    const double half = room.half_gap(centre.z()), shift = std::clamp(centre.x(), -half, half) - centre.x();
+    for (int k = 0; k < grasp.count; ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
+    for (int k = middle; k + 1 < grasp.count; ++k) lay(k, k + 1);
+    for (int k = middle; k > 0; --k) lay(k, k - 1);
+}
+
+}  // namespace
+
+bool World::is_held(int node) const {
+    for (const Tool& tool : tools_)
+        for (const Grasp& grasp : tool.grasps)
+            if (node >= grasp.first && node < grasp.first + grasp.count) return true;
+    return false;
+}
+
+// Closing jaws hold every strand that passes through their middle plane y = 0 between them, or ends there: by the nodes of
+// the link that passes and those beside it within the jaws' width. A loop that only lies round open jaws is not held.
+// Two tools on one strand hold different nodes.
+void World::take_hold(Tool& tool) {
+    const JawRoom room(tool.shape, tool.now.jaw);
+    const int last = static_cast<int>(thread_.nodes().size()) - 1;
+    const auto place = [&](int k) { return in_tool(tool.now, thread_.nodes()[static_cast<std::size_t>(k)]); };
+    const auto within = [&](int k) { return k >= 0 && k <= last && !is_held(k) && room.holds(place(k), tool.shape.jaw_radius); };
+    for (int i = 0; i < last; ++i) {
+        const Vec3 a = place(i), b = place(i + 1);
+        const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(a + a.y() / (a.y() - b.y()) * (b - a), 0);
+        const bool ends = (i == 0 && within(0)) || (i + 1 == last && within(last));
+        if ((!passes && !ends) || is_held(i) || is_held(i + 1)) continue;
+        int from = i, to = i + 1;
+        // One node beyond the jaws' width on either side, so that the first free link starts outside the metal.
+        const auto take = [&](int k) { return k >= 0 && k <= last && !is_held(k) && to - from + 2 < Grasp::most; };
+        while (take(from - 1) && within(from)) --from;
+        while (take(to + 1) && within(to)) ++to;
+        Grasp grasp{from, to - from + 1, {}};
+        for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
+        tool.grasps.push_back(grasp);
+        log("grasp", tool.def.name, 1e3 * grasp.middle() * def_.thread.length / last);
+        ++measures_.grasps[static_cast<std::size_t>(&tool - tools_.data())];
+        i = to;
+    }
+}
+
+void World::update_grasps() {
+    for (Tool& tool : tools_) {
+        if (!tool.closed && tool.now.jaw < shut_below) {
+            tool.closed = true;
+            take_hold(tool);
+        } else if (tool.closed && tool.now.jaw > open_above) {
+            tool.closed = false;
+            for (const Grasp& grasp : tool.grasps) log("release", tool.def.name, grasp.middle());
+            tool.grasps.clear();
+        }
+        const JawRoom room(tool.shape, tool.now.jaw);
+        for (Grasp& grasp : tool.grasps) flatten(grasp, room);
+    }
+}
+
+// Jaws hold up to their grip force. Beyond it the strand slides between them along itself by just so much that the
+// estimate falls back to the grip force. False when it has slid out.
+bool World::slip(Tool& tool, Grasp& grasp) {
+    const double tension = tension_at(grasp.middle());
+    if (tension <= tool.shape.grip_force) return true;
+    const auto nodes = thread_.nodes();
+    const auto middle = static_cast<std::size_t>(grasp.middle());
+    const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
+    const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor - nodes[middle];
+    const Vec3 back = tool.now.pose.rotation.conjugate() * ((1 - tool.shape.grip_force / tension) * lag);
+    log("slip", tool.def.name, tension);
+
+    // What the jaws hold now: the nodes that are in their room after the shift, in the place they then have.
+    const JawRoom room(tool.shape, tool.now.jaw);
+    Grasp shifted{0, 0, {}};
+    const int last = static_cast<int>(nodes.size()) - 1;
+    for (int k = std::max(0, grasp.first - 1); k <= std::min(last, grasp.first + grasp.count); ++k) {
+        const bool was_held = k >= grasp.first && k < grasp.first + grasp.count;
+        if (!was_held && is_held(k)) continue;
+        Vec3 place = was_held ? Vec3(grasp.anchor[static_cast<std::size_t>(k - grasp.first)] - back)
+                              : in_tool(tool.now, nodes[static_cast<std::size_t>(k)]);
+        const double half_link = 0.5 * thread_.rest_lengths()[static_cast<std::size_t>(std::min(k, last - 1))];
+        if (std::abs(place.y()) > tool.shape.jaw_radius + 2 * half_link || !room.holds({0, 0, place.z()}, 0)) continue;
+        if (shifted.count == Grasp::most || (shifted.count > 0 && k != shifted.first + shifted.count)) break;
+        if (shifted.count == 0) shifted.first = k;
+        shifted.anchor[static_cast<std::size_t>(shifted.count++)] = place;
+    }
+    grasp = shifted;
+    return grasp.count > 0;
+}
+
+void World::let_grasps_slip() {
+    for (Tool& tool : tools_)
+        for (std::size_t g = 0; g < tool.grasps.size();) {
+            if (slip(tool, tool.grasps[g])) {
+                ++g;
+            } else {
+                log("release", tool.def.name, 0);
+                tool.grasps.erase(tool.grasps.begin() + static_cast<std::ptrdiff_t>(g));
+            }
+        }
+}
+
+}  // namespace scenarios::world

@@ -1,0 +1,118 @@
+#include "scenarios/world/measure.hpp"
+
+#include <algorithm>
+
+#include "scenarios/world/world.hpp"
+
+namespace scenarios::world {
+
+namespace {
+
+// The largest of a quantity and when it was reached.
+void raise(Moment& largest, double value, double at_s) {
+    if (value > largest.value) largest = {value, at_s};
+}
+
+// Shortest stretch of the thread, grown from whichever end, that still holds the whole knot: where the knot is.
+struct Place {
+    std::size_t first, last;  ///< Nodes.
+};
+
+Place place_of(const std::vector<Vec3>& nodes, const std::string& knot) {
+    const auto still_knotted = [&](std::size_t first, std::size_t last) {
+        return sim::knot::name_knot(std::vector<Vec3>(nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                                                      nodes.begin() + static_cast<std::ptrdiff_t>(last) + 1))
+                   .knot == knot;
+    };
+    Place place{0, nodes.size() - 1};
+    for (std::size_t step = nodes.size() / 2; step > 0; step /= 2) {
+        while (place.first + step + 1 < place.last && still_knotted(place.first + step, place.last)) place.first += step;
+        while (place.last > place.first + step + 1 && still_knotted(place.first, place.last - step)) place.last -= step;
+    }
+    return place;
+}
+
+double length_mm(std::span<const double> rest, std::size_t first, std::size_t last) {
+    double length = 0;
+    for (std::size_t k = first; k < last; ++k) length += rest[k];
+    return 1e3 * length;
+}
+
+}  // namespace
+
+double World::tension_at(int node) const {
+    const auto tension = thread_.tension();
+    const auto k = static_cast<std::size_t>(node);
+    return std::max(k > 0 ? tension[k - 1] : 0.0, k < tension.size() ? tension[k] : 0.0);
+}
+
+void World::measure(const sim::thread::TickReport& report) {
+    const double t = time_s();
+    substeps_ += static_cast<std::uint64_t>(report.substeps);
+    stretch_now_ = report.stretch_max;
+    worst_.stretch = std::max(worst_.stretch, report.stretch_max);
+    worst_.separation = std::min(worst_.separation, report.separation_min);
+    worst_.step_over_bound = std::max(worst_.step_over_bound, report.step_over_bound);
+    worst_.contacts = std::max(worst_.contacts, report.contacts);
+    moved_since_named_ |= report.substeps > 0;
+
+    if (report.pass_throughs > 0) {
+        if (measures_.pass_throughs == 0) measures_.first_pass_through_s = t;
+        measures_.pass_throughs += static_cast<std::uint64_t>(report.pass_throughs);
+        log("pass_through", "thread", report.pass_throughs);
+    }
+    measures_.duration_s = t;
+    const auto tension = thread_.tension();
+    tension_now_ = *std::max_element(tension.begin(), tension.end());
+    raise(measures_.tension_max_N, tension_now_, t);
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        const Tool& tool = tools_[i];
+        raise(measures_.lag_max_mm[i], 1e3 * (tool.asked.pose.position - tool.now.pose.position).norm(), t);
+        measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
+    }
+    constexpr std::uint64_t naming_period = 100;  // ticks: ten names a second, faster than anyone reads them
+    if (ticks_ % naming_period == 0 && moved_since_named_) name_knot_now();
+}
+
+void World::name_knot_now() {
+    moved_since_named_ = false;
+    const auto nodes = thread_.nodes();
+    const std::vector<Vec3> curve(nodes.begin(), nodes.end());
+    sim::knot::Name name = sim::knot::name_knot(curve);
+    if (name.knot != measures_.knot.knot || name.surgical != measures_.knot.surgical) {
+        log("knot", name.surgical.empty() ? name.knot : name.surgical, 0);
+        measures_.knot_since_s = time_s();
+    }
+    measures_.knot = std::move(name);
+}
+
+void World::locate_knot() {
+    measures_.tail_mm = {0, 0};
+    measures_.around.clear();
+    if (measures_.knot.factors.empty()) return;
+    const auto nodes = thread_.nodes();
+    const std::vector<Vec3> curve(nodes.begin(), nodes.end());
+    const Place place = place_of(curve, measures_.knot.knot);
+    measures_.tail_mm = {length_mm(thread_.rest_lengths(), 0, place.first),
+                         length_mm(thread_.rest_lengths(), place.last, curve.size() - 1)};
+    for (const VesselDef& vessel : def_.vessels)
+        if (turns_around(vessel, curve, place.first, place.last) != 0) measures_.around.push_back(vessel.name);
+}
+
+// Signed passages of the stretch [first, last] through the half plane that hangs from the vessel's axis: once round is +-1.
+int World::turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
+    const Vec3 axis = vessel.axis.normalized();
+    const Vec3 across = axis.cross(std::abs(axis.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).normalized();
+    const Vec3 up = across.cross(axis);
+    int turns = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        const Vec3 a = curve[i] - vessel.centre, b = curve[i + 1] - vessel.centre;
+        const double ya = a.dot(across), yb = b.dot(across);
+        if ((ya < 0) == (yb < 0)) continue;
+        const double height = a.dot(up) + ya / (ya - yb) * (b - a).dot(up);
+        if (height < 0) turns += yb > ya ? 1 : -1;
+    }
+    return turns;
+}
+
+}  // namespace scenarios::world

@@ -1,0 +1,62 @@
+#include "scenarios/world/world.hpp"
+
+#include <bit>
+
+namespace scenarios::world {
+
+static sim::thread::Thread make_thread(const ThreadDef& def) {
+    constexpr double quarter_pi = 0.78539816339744831;
+    const double section = quarter_pi * def.diameter * def.diameter;
+    // The path may be longer or shorter than the thread: cut it, or go on straight.
+    std::vector<Vec3> path{def.start.front()};
+    double left = def.length;
+    for (std::size_t i = 1; i < def.start.size() && left > 0; ++i) {
+        const Vec3 piece = def.start[i] - def.start[i - 1];
+        const double length = piece.norm();
+        const bool last = i + 1 == def.start.size();
+        path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
+        left -= length;
+    }
+    return {{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section}, sim::thread::resample(path, def.links)};
+}
+
+World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
+    : def_(def), thread_(make_thread(def.thread)), surface_(std::move(surface)) {
+    if (surface_.size() > 0) bench_.add_surface(surface_.triangles());
+    for (std::size_t i = 0; i < def.instruments.size(); ++i) {
+        const auto kind = def.instruments[i].kind;
+        bench_.set_pose(bench_.add_tool(kind), start[i]);
+        tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false});
+        tools_.back().grasps.reserve(16);
+    }
+    const std::size_t tools = tools_.size();
+    measures_.tail_mm.assign(2, 0);
+    measures_.path_mm.assign(tools, 0);
+    measures_.grasps.assign(tools, 0);
+    measures_.lag_max_mm.assign(tools, {});
+    holds_.reserve(16 * tools);
+    hold_owners_.reserve(16 * tools);
+    capsules_.reserve(instruments::part_count * tools);
+    events_.reserve(1024);
+}
+
+void World::log(const char* kind, const std::string& what, double value) { events_.push_back({time_s(), kind, what, value}); }
+
+std::uint64_t World::hash() const {
+    std::uint64_t hash = thread_.hash();
+    const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; };
+    for (const Tool& tool : tools_) {
+        for (int c = 0; c < 3; ++c) add(tool.now.pose.position[c]);
+        for (int c = 0; c < 4; ++c) add(tool.now.pose.rotation.coeffs()[c]);
+        add(tool.now.jaw);
+        add(tool.closed);
+        for (const Grasp& grasp : tool.grasps) {
+            add(grasp.first);
+            for (int k = 0; k < grasp.count; ++k)
+                for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
+        }
+    }
+    return hash;
+}
+
+}  // namespace scenarios::world

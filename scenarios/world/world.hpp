@@ -1,0 +1,105 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "instruments/bench.hpp"
+#include "scenarios/world/defs.hpp"
+#include "scenarios/world/measure.hpp"
+#include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/thread.hpp"
+
+namespace scenarios::world {
+
+using instruments::ToolInput;
+
+/// One strand between a tool's jaws: the nodes `first` to `first + count - 1`, fixed to the tool.
+struct Grasp {
+    static constexpr int most = 16;
+    int first = 0, count = 0;
+    std::array<Vec3, most> anchor;  ///< Where the tool holds each, in the tool's frame [m].
+
+    int middle() const { return first + count / 2; }
+};
+
+struct Tool {
+    InstrumentDef def;
+    instruments::ToolShape shape;
+    ToolInput asked;             ///< Last good input.
+    ToolInput before, now;       ///< Where the simulated tool was and is; behind `asked` when it must wait.
+    std::vector<Grasp> grasps;
+    bool closed = false;         ///< Jaws are shut on whatever they hold; with hysteresis.
+};
+
+/// Worst of the whole session so far; a drill's result quotes them.
+struct Worst {
+    double stretch = 0, separation = 1e300, step_over_bound = 0;
+    int contacts = 0;
+};
+
+/// A scene: one thread, its vessels, its tools. Everything a tick depends on is in here, so two worlds made of the same
+/// definition and fed the same inputs are the same bit for bit.
+class World {
+  public:
+    /// `surface`: the vessels' triangles in the world frame. `start`: where the tools are, one per instrument.
+    /// `record_events` false saves time when only the state matters.
+    World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start);
+
+    /// One tick of def.tick_s; one input per instrument. scenarios/world/tick.cpp shows what happens in it.
+    void tick(std::span<const ToolInput> inputs);
+
+    double time_s() const { return static_cast<double>(ticks_) * def_.tick_s; }
+    std::uint64_t ticks() const { return ticks_; }
+    std::uint64_t substeps() const { return substeps_; }
+    const WorldDef& def() const { return def_; }
+    std::span<const Tool> tools() const { return tools_; }
+    std::span<const sim::geometry::Vec3> thread() const { return thread_.nodes(); }
+    const sim::thread::Thread& thread_state() const { return thread_; }
+    const Measures& measures() const { return measures_; }
+    std::span<const Event> events() const { return events_; }
+    const Worst& worst() const { return worst_; }
+    double tension_now() const { return tension_now_; }
+    double stretch_now() const { return stretch_now_; }
+
+    /// Of everything the next tick depends on.
+    std::uint64_t hash() const;
+
+    /// Names the knot as the thread lies now; ten times a second, and at the end of a session.
+    void name_knot_now();
+    /// Where that knot is: tails, and the vessels it goes round. Names many pieces of the thread: for the end of a session.
+    void locate_knot();
+
+  private:
+    void move_instruments(std::span<const ToolInput> inputs);
+    void update_grasps();
+    sim::thread::TickReport move_thread();
+    void let_tools_wait(double fraction);
+    void let_grasps_slip();
+    void measure(const sim::thread::TickReport& report);
+
+    void take_hold(Tool& tool);
+    bool is_held(int node) const;
+    bool slip(Tool& tool, Grasp& grasp);
+    double tension_at(int node) const;
+    static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last);
+    void log(const char* kind, const std::string& what, double value);
+
+    WorldDef def_;
+    sim::thread::Thread thread_;
+    sim::geometry::TriangleTree surface_;
+    instruments::Bench bench_;
+    std::vector<Tool> tools_;
+    std::vector<sim::thread::Hold> holds_;         // of this tick
+    std::vector<int> hold_owners_;
+    std::vector<sim::thread::MovingCapsule> capsules_;
+    std::vector<Event> events_;
+    Measures measures_;
+    Worst worst_;
+    std::uint64_t ticks_ = 0, substeps_ = 0;
+    double tension_now_ = 0, stretch_now_ = 0;
+    bool moved_since_named_ = true;
+};
+
+}  // namespace scenarios::world

@@ -1,0 +1,70 @@
+#include "sim/geometry/triangle_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace sim::geometry {
+
+constexpr int leaf_size = 4;  // Triangles tested one by one rather than split further.
+
+static Box box_of(const Triangle& t) {
+    Box box;
+    for (const Vec3* p : {&t.a, &t.b, &t.c}) box.include(*p);
+    return box;
+}
+
+// Median split on the longest axis of the centres' box. Equal keys fall back on the index: one tree per input.
+TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+    order_.resize(triangles_.size());
+    std::iota(order_.begin(), order_.end(), 0);
+    if (triangles_.empty()) return;
+
+    std::vector<Vec3> centre;
+    for (const Triangle& t : triangles_) centre.push_back((box_of(t).low + box_of(t).high) / 2);
+    nodes_.push_back({{}, 0, size()});
+    for (std::size_t at = 0; at < nodes_.size(); ++at) {  // children are appended, so this visits every node
+        const int first = nodes_[at].first, count = nodes_[at].count;
+        Box centres;
+        for (int i = first; i < first + count; ++i) {
+            const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
+            nodes_[at].box.include(box_of(triangles_[index]));
+            centres.include(centre[index]);
+        }
+        if (count <= leaf_size) continue;
+        int axis = 0;
+        (centres.high - centres.low).maxCoeff(&axis);
+        const auto before = [&](int i, int j) {
+            const double a = centre[static_cast<std::size_t>(i)][axis], b = centre[static_cast<std::size_t>(j)][axis];
+            return a < b || (a == b && i < j);
+        };
+        const int half = count / 2;
+        const auto begin = order_.begin() + first;
+        std::sort(begin, begin + count, before);
+        nodes_[at].count = 0;
+        nodes_[at].first = static_cast<int>(nodes_.size());
+        nodes_.push_back({{}, first, half});
+        nodes_.push_back({{}, first + half, count - half});
+    }
+}
+
+void TriangleTree::near(const Box& box, std::vector<int>& found) const {
+    // Depth is at most log2 of 2^31 triangles, and each level leaves one node waiting.
+    std::array<int, 34> waiting;
+    std::size_t top = 0;
+    if (!nodes_.empty()) waiting[top++] = 0;
+    while (top > 0) {
+        const Node& node = nodes_[static_cast<std::size_t>(waiting[--top])];
+        if (!node.box.overlaps(box)) continue;
+        if (node.count == 0) {
+            waiting[top++] = node.first + 1;
+            waiting[top++] = node.first;
+        }
+        for (int i = node.first; i < node.first + node.count; ++i) {
+            const int index = order_[static_cast<std::size_t>(i)];
+            if (box_of(triangles_[static_cast<std::size_t>(index)]).overlaps(box)) found.push_back(index);
+        }
+    }
+}
+
+}  // namespace sim::geometry
