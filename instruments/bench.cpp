@@ -247,12 +247,13 @@ Bench::Stop Bench::leg(int index, const ToolInput& wanted, int& steps) {
 
 Advance Bench::advance(int index, const ToolInput& input) {
     const Tool& tool = at(index);
-    Advance result{.reached = tool.now};
+    Advance result{.reached = tool.now, .asked = tool.now};
     const auto wanted = clean(input, tool.shape);
     if (!wanted) {
         result.input_dropped = true;
         return result;
     }
+    result.asked = *wanted;
     const Stop first = sweep(index, *wanted);
     if (first.stopped) {
         result.stopped = true;

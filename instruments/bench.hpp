@@ -10,6 +10,7 @@ namespace instruments {
 /// How far a tool got in one tick.
 struct Advance {
     ToolInput reached;            ///< Rotation unit, with w >= 0; jaw in [0, 1].
+    ToolInput asked;             ///< What was wanted, made usable; where the tool is if it was not.
     bool stopped = false;         ///< Something stood in the way; `reached` is short of what was wanted.
     int part = -1;                ///< Which Part was stopped,
     int tool = -1, surface = -1;  ///< and by what: the number of the other tool or of the surface.
