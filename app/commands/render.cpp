@@ -1,0 +1,97 @@
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/commands/play.hpp"
+#include "app/fault.hpp"
+#include "app/play/output.hpp"
+#include "scenarios/drill/motion.hpp"
+#include "scenarios/recording/recording.hpp"
+
+namespace app {
+
+namespace {
+
+using instruments::ToolInput;
+
+struct Options {
+    std::string source, out;
+    std::optional<double> at_s;
+    bool close = false;
+};
+
+// The scene of a drill, before or after part of its motion, or of a recording.
+struct Source {
+    scenarios::drill::Drill drill;
+    std::function<void(std::uint64_t, std::span<ToolInput>)> inputs_at;
+    double duration_s = 0;
+};
+
+Source from_drill(const std::string& file) {
+    Source source{scenarios::drill::load_drill(file), {}, 0};
+    if (source.drill.motion.empty())
+        throw InputFault(file + ": error: /motion: the drill names no motion, so where its tools are is not known");
+    std::vector<std::string> names;
+    for (const auto& instrument : source.drill.world.instruments) names.push_back(instrument.name);
+    const auto motion = scenarios::drill::load_motion(source.drill.motion, names);
+    const double tick_s = source.drill.world.tick_s;
+    source.duration_s = motion.duration();
+    source.inputs_at = [motion, tick_s](std::uint64_t tick, std::span<ToolInput> inputs) {
+        motion.at(static_cast<double>(tick) * tick_s, inputs);
+    };
+    return source;
+}
+
+Source from_recording(const std::string& file) {
+    auto recording = std::make_shared<scenarios::recording::Recording>(scenarios::recording::load_recording(file));
+    if (recording->ticks() == 0)
+        throw InputFault(recording->fault(file).value_or(file + ": error: no tick was recorded"));
+    Source source{scenarios::drill::parse_drill(recording->head.drill_text, recording->head.drill_name,
+                                                std::filesystem::path(recording->head.drill_name).parent_path()),
+                  {},
+                  static_cast<double>(recording->ticks()) * recording->head.tick_s};
+    source.inputs_at = [recording](std::uint64_t tick, std::span<ToolInput> inputs) {
+        const auto stored = recording->tick(std::min(tick, recording->ticks() - 1));
+        std::copy(stored.begin(), stored.end(), inputs.begin());
+    };
+    return source;
+}
+
+int render(const Options& options) {
+    const bool is_drill = std::filesystem::path(options.source).extension() == ".json";
+    const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
+    const double at_s = options.at_s.value_or(is_drill ? 0 : source.duration_s);
+    if (!(at_s >= 0 && at_s <= source.duration_s))
+        throw InputFault("--at " + std::to_string(at_s) + ": error: expected 0 to " + std::to_string(source.duration_s) + " s");
+    std::vector<ToolInput> inputs(source.drill.world.instruments.size());
+    source.inputs_at(0, inputs);
+    Session session(source.drill, inputs);
+    const auto ticks = static_cast<std::uint64_t>(at_s / source.drill.world.tick_s);
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        source.inputs_at(tick, inputs);
+        session.tick(inputs);
+    }
+    const auto png = picture_of(session, session.snapshot(""), options.close);
+    std::ofstream file(options.out, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+    if (!file.flush()) throw std::runtime_error(options.out + ": cannot be written");
+    return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& program) {
+    auto* command = program.add_subcommand("render", "One picture of a drill or a recording, no display needed");
+    auto options = std::make_shared<Options>();
+    command->add_option("SOURCE", options->source, "Recording, or drill file (.json)")->required();
+    command->add_option("--at", options->at_s, "Seconds of simulated time; default: a drill's start, a recording's end");
+    command->add_option("--out", options->out, "Picture to write (.png)")->required();
+    command->add_flag("--close", options->close, "Closer, on the knot");
+    command->callback([options] {
+        chosen_command() = [options] { return render(*options); };
+    });
+}
+
+}  // namespace app

@@ -1,0 +1,73 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/commands.hpp"
+#include "app/commands/play.hpp"
+#include "app/fault.hpp"
+#include "app/play/output.hpp"
+#include "scenarios/recording/recording.hpp"
+
+namespace app {
+
+namespace {
+
+using scenarios::recording::Recording;
+
+struct Options {
+    std::string recording, out;
+    bool verify = false, json = false;
+};
+
+// The first stored hash that the re-simulation does not reproduce, or nothing.
+struct Difference {
+    std::uint64_t tick = 0, stored = 0, found = 0;
+};
+
+std::string in_words(const std::string& file, const Difference& difference) {
+    char text[120];
+    std::snprintf(text, sizeof text, ": error: tick %llu: the state differs, recorded %016llx, replayed %016llx",
+                  static_cast<unsigned long long>(difference.tick), static_cast<unsigned long long>(difference.stored),
+                  static_cast<unsigned long long>(difference.found));
+    return file + text;
+}
+
+int replay(const Options& options) {
+    const Recording recording = scenarios::recording::load_recording(options.recording);
+    if (recording.ticks() == 0)
+        throw InputFault(recording.fault(options.recording).value_or(options.recording + ": error: no tick was recorded"));
+    auto drill = scenarios::drill::parse_drill(recording.head.drill_text, recording.head.drill_name,
+                                               std::filesystem::path(recording.head.drill_name).parent_path());
+    Session session(std::move(drill), recording.tick(0));
+    std::size_t next = 0;
+    std::optional<Difference> difference;
+    for (std::uint64_t tick = 0; tick < recording.ticks(); ++tick) {
+        session.tick(recording.tick(tick));
+        for (; next < recording.hashes.size() && recording.hashes[next].tick == tick + 1; ++next)
+            if (!difference && recording.hashes[next].hash != session.world().hash())
+                difference = {tick + 1, recording.hashes[next].hash, session.world().hash()};
+    }
+    const auto result = session.finish();
+    if (!options.out.empty()) write_output(options.out, session, result, {});
+    if (options.json || !options.verify) std::cout << (options.json ? result_json(result) : score_table(result));
+    if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
+    if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
+    if (options.verify)
+        std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << next << " stored hashes equal\n";
+    return 0;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& program) {
+    auto* command = program.add_subcommand("replay", "Re-simulate a recording");
+    auto options = std::make_shared<Options>();
+    command->add_option("RECORDING", options->recording, "Recording of a session")->required();
+    command->add_flag("--verify", options->verify, "Compare every stored state hash; exit 3 if one differs");
+    command->add_option("--out", options->out, "Folder for result.json and report.html");
+    command->add_flag("--json", options->json, "Print result.json on stdout");
+    command->callback([options] {
+        chosen_command() = [options] { return replay(*options); };
+    });
+}
+
+}  // namespace app

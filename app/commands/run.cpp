@@ -1,0 +1,99 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/commands/play.hpp"
+#include "app/fault.hpp"
+#include "app/play/output.hpp"
+#include "scenarios/drill/motion.hpp"
+#include "scenarios/recording/recording.hpp"
+
+namespace app {
+
+namespace {
+
+using instruments::ToolInput;
+using scenarios::drill::Drill;
+
+struct Options {
+    std::string drill, input, record, out, thread;
+    int frames = 0;
+    bool json = false;
+};
+
+std::vector<std::string> instrument_names(const Drill& drill) {
+    std::vector<std::string> names;
+    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
+    return names;
+}
+
+std::optional<scenarios::recording::Recorder> open_recorder(const Options& options, const Drill& drill) {
+    if (options.record.empty()) return {};
+    const std::filesystem::path file = options.record;
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    return scenarios::recording::Recorder(file, {drill.text, options.drill, CARREL_VERSION, drill.world.tick_s,
+                                                 instrument_names(drill), {}});
+}
+
+// What was recorded is safe up to the last flush whatever happens after it.
+int run(const Options& options) {
+    Drill drill = scenarios::drill::load_drill(options.drill);
+    if (!options.thread.empty() && options.thread != drill.world.thread.mover)
+        throw InputFault("--thread " + options.thread + ": error: this version moves threads by ftl only");
+    const std::filesystem::path motion_file = options.input.empty() ? drill.motion : std::filesystem::path(options.input);
+    if (motion_file.empty())
+        throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
+    const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
+
+    std::vector<ToolInput> inputs(drill.world.instruments.size());
+    motion.at(0, inputs);
+    auto recorder = open_recorder(options, drill);
+    Session session(drill, inputs);
+
+    constexpr double settling_s = 0.5;  // tools at rest after the last key, so that "at rest" can be measured
+    const double tick_s = drill.world.tick_s;
+    const auto ticks = static_cast<std::uint64_t>(std::ceil(std::min(motion.duration() + settling_s, drill.time_limit_s) / tick_s));
+    std::vector<Snapshot> frames;
+    std::size_t events = 0;
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        motion.at(static_cast<double>(tick) * tick_s, inputs);
+        session.tick(inputs);
+        if (options.frames > 0 && tick * static_cast<std::uint64_t>(options.frames) / ticks >= frames.size())
+            frames.push_back(session.snapshot(""));
+        if (!recorder) continue;
+        recorder->add_tick(inputs);
+        constexpr std::uint64_t hash_period = 100;
+        if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
+        for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
+    }
+    const auto result = session.finish();
+    if (recorder) {
+        recorder->set_scores(result.items);
+        recorder->finish();
+    }
+    if (!options.out.empty()) write_output(options.out, session, result, frames);
+    std::cout << (options.json ? result_json(result) : score_table(result));
+    return 0;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program) {
+    auto* command = program.add_subcommand("run", "Play a drill without a window, as fast as it can");
+    auto options = std::make_shared<Options>();
+    command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
+    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
+    command->add_option("--record", options->record, "Record the session to this file");
+    command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
+    command->add_option("--thread", options->thread, "How the thread moves: ftl or elastic");
+    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")->check(CLI::Range(0, 10000));
+    command->add_flag("--json", options->json, "Print result.json on stdout");
+    command->callback([options] {
+        chosen_command() = [options] { return run(*options); };
+    });
+}
+
+}  // namespace app

@@ -1,0 +1,20 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "app/play/session.hpp"
+
+namespace app {
+
+/// PNG bytes of the scene at a snapshot: the operative field, or closer on the knot.
+std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot, bool close = false);
+
+/// result.json, report.html and, if any, frames as frame-0001.png ... in `dir`, which is made if missing.
+/// Throws std::runtime_error when they cannot be written.
+void write_output(const std::filesystem::path& dir, const Session& session, const scenarios::drill::Result& result,
+                  const std::vector<Snapshot>& frames);
+
+/// The score table for a terminal.
+std::string score_table(const scenarios::drill::Result& result);
+
+}  // namespace app

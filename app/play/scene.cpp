@@ -1,0 +1,37 @@
+#include "app/play/scene.hpp"
+
+namespace app {
+
+namespace {
+
+// Facets so fine that the tube's surface is within a twentieth of a 6-0 thread of round: sagitta D (1 - cos(pi/n)) / 2.
+constexpr int around = 96, along = 30;
+
+assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel) {
+    assets::Mesh mesh = vessel.mesh_file.empty()
+                            ? assets::make_tube(vessel.diameter, vessel.wall, vessel.length, around, along)
+                            : assets::load_mesh(vessel.mesh_file);
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), vessel.axis);
+    for (auto& vertex : mesh.vertices) vertex = vessel.centre + turn * vertex;
+    return mesh;
+}
+
+}  // namespace
+
+std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
+    std::vector<assets::Mesh> meshes;
+    for (const auto& vessel : def.vessels) meshes.push_back(mesh_of(vessel));
+    return meshes;
+}
+
+scenarios::world::World make_world(const scenarios::world::WorldDef& def, const std::vector<assets::Mesh>& vessels,
+                                   std::span<const instruments::ToolInput> start) {
+    std::vector<sim::geometry::Triangle> surface;
+    for (const assets::Mesh& mesh : vessels) {
+        const auto soup = mesh.soup();
+        surface.insert(surface.end(), soup.begin(), soup.end());
+    }
+    return {def, std::move(surface), start};
+}
+
+}  // namespace app

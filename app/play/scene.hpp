@@ -1,0 +1,19 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "assets/mesh.hpp"
+#include "scenarios/drill/drill.hpp"
+#include "scenarios/world/world.hpp"
+
+namespace app {
+
+/// The vessels of a scene as meshes in the world frame: read from their files, or tubes made by numbers.
+/// Throws assets::AssetError for a bad mesh file.
+std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def);
+
+/// A world ready for its first tick, with its tools at `start`.
+scenarios::world::World make_world(const scenarios::world::WorldDef& def, const std::vector<assets::Mesh>& vessels,
+                                   std::span<const instruments::ToolInput> start);
+
+}  // namespace app

@@ -1,0 +1,104 @@
+#include "app/play/session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "app/machine.hpp"
+#include "scenarios/drill/score.hpp"
+
+namespace app {
+
+using scenarios::drill::Result;
+
+Session::Session(scenarios::drill::Drill drill, std::span<const instruments::ToolInput> start)
+    : drill_(std::move(drill)),
+      vessels_(vessel_meshes(drill_.world)),
+      world_(make_world(drill_.world, vessels_, start)),
+      last_inputs_(start.begin(), start.end()) {}
+
+void Session::tick(std::span<const instruments::ToolInput> inputs) {
+    const auto begin = std::chrono::steady_clock::now();
+    world_.tick(inputs);
+    tick_us_.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+    constexpr std::uint64_t sample_period = 10;
+    if (world_.ticks() % sample_period == 0) sample();
+    watch_events();
+}
+
+Snapshot Session::snapshot(std::string caption) const {
+    Snapshot snapshot{world_.time_s(), std::move(caption), {world_.thread().begin(), world_.thread().end()}, {}};
+    for (const auto& tool : world_.tools()) snapshot.tools.push_back(tool.now);
+    return snapshot;
+}
+
+void Session::sample() {
+    scenarios::drill::Sample sample{world_.time_s(), world_.tension_now(), {}, {}, {}, world_.measures().knot.knot};
+    const double since_last = samples_.empty() ? sample.t_s : sample.t_s - samples_.back().t_s;
+    for (std::size_t i = 0; i < world_.tools().size(); ++i) {
+        const auto& tool = world_.tools()[i];
+        const auto& asked = tool.asked.pose.position;
+        sample.tool_speed_mm_s.push_back(1e3 * (asked - last_inputs_[i].pose.position).norm() / since_last);
+        sample.tool_lag_mm.push_back(1e3 * (asked - tool.now.pose.position).norm());
+        sample.held.push_back(!tool.grasps.empty());
+        last_inputs_[i] = tool.asked;
+    }
+    samples_.push_back(std::move(sample));
+}
+
+// A picture whenever something was grasped or let go or the knot took another name; the report shows the moment.
+void Session::watch_events() {
+    constexpr std::size_t most_pictures = 24;
+    const auto events = world_.events();
+    for (; events_seen_ < events.size(); ++events_seen_) {
+        const auto& event = events[events_seen_];
+        if (key_moments_.size() >= most_pictures) continue;
+        if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
+        if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
+        if (event.kind == "knot") key_moments_.push_back(snapshot("the thread holds: " + (event.what == "0_1" ? "no knot" : event.what)));
+        if (event.kind == "pass_through") key_moments_.push_back(snapshot("the thread passed through something"));
+    }
+}
+
+static scenarios::drill::Percentiles percentiles(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    return {values[values.size() / 2], values[values.size() * 99 / 100], values.back()};
+}
+
+Result Session::finish() {
+    world_.name_knot_now();
+    world_.locate_knot();
+    key_moments_.push_back(snapshot("the end"));
+    const auto& measures = world_.measures();
+    const auto& worst = world_.worst();
+
+    Result result;
+    result.drill_title = drill_.title;
+    for (const auto& instrument : drill_.world.instruments) result.instruments.push_back(instrument.name);
+    result.items = scenarios::drill::score(drill_, measures);
+    result.passed = std::all_of(result.items.begin(), result.items.end(), [](const auto& item) { return item.passed; });
+    result.samples = samples_;
+    result.events.assign(world_.events().begin(), world_.events().end());
+    result.duration_s = world_.time_s();
+    result.links = static_cast<int>(world_.thread().size()) - 1;
+    result.ticks = world_.ticks();
+    result.substeps = world_.substeps();
+    result.stretch_max = worst.stretch;
+    result.stretch_settled = world_.stretch_now();
+    result.separation_min = worst.separation;
+    result.node_step_max_over_bound = worst.step_over_bound;
+    result.pass_throughs = measures.pass_throughs;
+    result.contacts_max = worst.contacts;
+    result.knot = measures.knot.knot;
+    result.surgical = measures.knot.surgical;
+    result.throws = measures.knot.throws;
+    char hash[17];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(world_.hash()));
+    result.state_hash = hash;
+    result.tick_us = percentiles(tick_us_);
+    result.machine = machine_name();
+    return result;
+}
+
+}  // namespace app

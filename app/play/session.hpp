@@ -1,0 +1,51 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/play/scene.hpp"
+#include "scenarios/drill/result.hpp"
+
+namespace app {
+
+/// The scene at one moment, for a picture of it.
+struct Snapshot {
+    double t_s;
+    std::string caption;
+    std::vector<sim::geometry::Vec3> thread;
+    std::vector<instruments::ToolInput> tools;
+};
+
+/// One drill being played: what comes in at each tick decides everything; the rest is looking on.
+class Session {
+  public:
+    /// `start`: where the tools are before the first tick.
+    Session(scenarios::drill::Drill drill, std::span<const instruments::ToolInput> start);
+
+    /// One tick; times it.
+    void tick(std::span<const instruments::ToolInput> inputs);
+
+    /// Scores and figures as they stand; call once, after the last tick.
+    scenarios::drill::Result finish();
+
+    const scenarios::drill::Drill& drill() const { return drill_; }
+    const scenarios::world::World& world() const { return world_; }
+    const std::vector<assets::Mesh>& vessels() const { return vessels_; }
+    Snapshot snapshot(std::string caption) const;
+    const std::vector<Snapshot>& key_moments() const { return key_moments_; }
+
+  private:
+    void sample();
+    void watch_events();
+
+    scenarios::drill::Drill drill_;
+    std::vector<assets::Mesh> vessels_;
+    scenarios::world::World world_;
+    std::vector<scenarios::drill::Sample> samples_;
+    std::vector<Snapshot> key_moments_;
+    std::vector<double> tick_us_;
+    std::vector<instruments::ToolInput> last_inputs_;
+    std::size_t events_seen_ = 0;
+};
+
+}  // namespace app

@@ -1,0 +1,206 @@
+#include "scenarios/drill/waypoints.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "scenarios/drill/file.hpp"
+
+namespace scenarios::drill {
+
+namespace {
+
+using sim::geometry::Quat;
+using sim::geometry::Vec3;
+
+constexpr double least_step_s = 0.15;  ///< No step is shorter: a hand needs this long to start and stop.
+
+struct Tool {
+    std::string name;
+    Vec3 place_mm = Vec3::Zero();
+    Vec3 pointing = Vec3::UnitZ(), opening = Vec3::UnitX();
+    double jaw = 1;
+    std::vector<MotionKey> keys;
+};
+
+Quat turned(const Vec3& pointing, const Vec3& opening) {
+    const Vec3 z = pointing.normalized(), x = (opening - opening.dot(z) * z).normalized();
+    Eigen::Matrix3d axes;
+    axes << x, z.cross(x), z;
+    return Quat(axes);
+}
+
+class Reader {
+  public:
+    explicit Reader(std::string file) : file_(std::move(file)) {}
+
+    void read(const std::string& text) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            ++line_;
+            words_.clear();
+            std::istringstream words(line.substr(0, line.find('#')));
+            for (std::string word; words >> word;) words_.push_back(word);
+            next_ = 0;
+            if (!words_.empty()) step();
+        }
+        if (tools_.empty()) complain("no `start` line, expected one that places every tool");
+    }
+
+    Waypoints result() const {
+        std::vector<std::string> names;
+        std::vector<std::vector<MotionKey>> keys;
+        for (const Tool& tool : tools_) {
+            names.push_back(tool.name);
+            keys.push_back(tool.keys);
+        }
+        return {names, Motion(keys)};
+    }
+
+  private:
+    [[noreturn]] void complain(const std::string& what) const { fail(file_ + ":" + std::to_string(line_), what); }
+
+    bool more() const { return next_ < words_.size(); }
+
+    std::string word(const char* expected) {
+        if (!more()) complain(std::string("expected ") + expected + " at the end of the line");
+        return words_[next_++];
+    }
+
+    void expect(const char* keyword) {
+        const std::string found = word(keyword);
+        if (found != keyword) complain("expected \"" + std::string(keyword) + "\", found \"" + found + "\"");
+    }
+
+    double number(const char* what, double low, double high) {
+        const std::string text = word(what);
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
+            complain(std::string(what) + ": expected a number from " + std::to_string(low) + " to " +
+                     std::to_string(high) + ", found \"" + text + "\"");
+        return value;
+    }
+
+    Vec3 vector(const char* what) {
+        constexpr double far_mm = 1000;  // a tool a metre away is a mistake of units
+        const double x = number(what, -far_mm, far_mm), y = number(what, -far_mm, far_mm);
+        return {x, y, number(what, -far_mm, far_mm)};
+    }
+
+    Vec3 place() {
+        const Vec3 p = vector("place in mm");
+        return mirrored_ ? Vec3(p.x(), -p.y(), p.z()) : p;
+    }
+
+    Tool& tool() {
+        const std::string name = word("a tool's name");
+        for (Tool& known : tools_)
+            if (known.name == name) return known;
+        std::string names;
+        for (const Tool& known : tools_) names += (names.empty() ? "" : ", ") + known.name;
+        complain("no tool is called \"" + name + "\", expected one of: " + names);
+    }
+
+    void step() {
+        const std::string verb = word("a step");
+        if (verb == "tool") {
+            turn();
+        } else if (verb == "start") {
+            start();
+        } else if (verb == "mirror") {
+            const std::string how = word("y or off");
+            if (how != "y" && how != "off") complain("mirror: expected y or off, found \"" + how + "\"");
+            mirrored_ = how == "y";
+        } else if (verb == "speed") {
+            speed_mm_s_ = number("speed in mm/s", 0.1, 2000);
+        } else if (tools_.empty()) {
+            complain("\"" + verb + "\" before `start`, expected every tool to be placed first");
+        } else if (verb == "go") {
+            go();
+        } else if (verb == "jaw") {
+            Tool& moved = tool();
+            moved.jaw = number("jaw", 0, 1);
+            expect("in");
+            pass(number("seconds", 0.001, 60));
+        } else if (verb == "wait") {
+            pass(number("seconds", 0.001, 600));
+        } else {
+            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, jaw, wait or mirror");
+        }
+        if (more()) complain("\"" + words_[next_] + "\" is one word too many");
+    }
+
+    void turn() {
+        const std::string name = word("a tool's name");
+        expect("pointing");
+        const Vec3 pointing = vector("pointing");
+        expect("opening");
+        const Vec3 opening = vector("opening");
+        if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || pointing.isZero(0) || opening.isZero(0))
+            complain("pointing and opening of " + name + " must be two different directions");
+        for (Tool& known : tools_)
+            if (known.name == name) known.pointing = pointing, known.opening = opening;
+        if (tools_.empty()) turned_.push_back({name, Vec3::Zero(), pointing, opening, 1, {}});
+    }
+
+    void start() {
+        if (!tools_.empty()) complain("a second `start`, expected one");
+        while (more()) {
+            Tool placed;
+            placed.name = word("a tool's name");
+            placed.place_mm = place();
+            expect("jaw");
+            placed.jaw = number("jaw", 0, 1);
+            for (const Tool& known : turned_)
+                if (known.name == placed.name) placed.pointing = known.pointing, placed.opening = known.opening;
+            tools_.push_back(placed);
+        }
+        if (tools_.empty()) complain("`start` names no tool");
+        key();
+    }
+
+    void go() {
+        double longest = 0;
+        while (more()) {
+            Tool& moved = tool();
+            const Vec3 to = place();
+            longest = std::max(longest, (to - moved.place_mm).norm());
+            moved.place_mm = to;
+        }
+        pass(std::max(least_step_s, longest / speed_mm_s_));
+    }
+
+    void pass(double seconds) {
+        time_s_ += seconds;
+        key();
+    }
+
+    void key() {
+        for (Tool& t : tools_)
+            t.keys.push_back({time_s_, {{1e-3 * t.place_mm, turned(t.pointing, t.opening)}, t.jaw}});
+    }
+
+    std::string file_;
+    int line_ = 0;
+    std::vector<std::string> words_;
+    std::size_t next_ = 0;
+    std::vector<Tool> tools_, turned_;
+    double time_s_ = 0, speed_mm_s_ = 50;
+    bool mirrored_ = false;
+};
+
+}  // namespace
+
+Waypoints parse_waypoints(const std::string& text, const std::string& name) {
+    Reader reader(name);
+    reader.read(text);
+    return reader.result();
+}
+
+Waypoints load_waypoints(const std::filesystem::path& file) {
+    constexpr std::size_t most_bytes = 1 << 20;  // ten thousand steps
+    return parse_waypoints(read_text(file, most_bytes), file.string());
+}
+
+}  // namespace scenarios::drill

@@ -1,0 +1,29 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenarios/drill/motion.hpp"
+
+namespace scenarios::drill {
+
+/// A choreography of tools as a person writes it, one step a line; '#' starts a comment. mm, s, mm/s.
+///
+///   tool left pointing 1 0 -0.35 opening 0.35 0 1    how a tool is turned from the next step on: from handle to tip,
+///                                                     and the way its jaws open (made square to it)
+///   start left -7 37 42 jaw 0.6 right 22 0 30 jaw 0  where every tool is at time 0
+///   speed 60                                         of the fastest tool in the steps that follow
+///   go left -8 30 36 right -18 0 20                  in a straight line, all tools arriving together
+///   jaw right 0 in 0.3                               opens or closes
+///   wait 0.5
+///   mirror y                                         from here on y of places is negated; `mirror off` ends it
+struct Waypoints {
+    std::vector<std::string> instruments;  ///< In order of `start`.
+    Motion motion;
+};
+
+/// Reads a waypoint file. Throws FileError with file and line.
+Waypoints load_waypoints(const std::filesystem::path& file);
+Waypoints parse_waypoints(const std::string& text, const std::string& name);
+
+}  // namespace scenarios::drill
