@@ -1,6 +1,6 @@
 # A room: one folder, one namespace, one static library of the same name (sim/knot -> sim_knot).
 #   carrel_room(sim_knot SOURCES a.cpp b.cpp MAY_INCLUDE sim_geometry LIBRARIES Foo::Foo)
-# MAY_INCLUDE becomes the link dependency; tests/walls_test.cmake fails on an include that crosses any other wall.
+# MAY_INCLUDE becomes the link dependency; tests/walls.cmake fails on an include that crosses any other wall.
 function(carrel_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;MAY_INCLUDE;LIBRARIES" ${ARGN})
   add_library(${name} STATIC ${ROOM_SOURCES})

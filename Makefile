@@ -1,0 +1,41 @@
+# Everything a newcomer types. `make demo` and `make test` set up the machine themselves, on Debian.
+JOBS := $(shell nproc)
+DRILL := square-knot
+
+.PHONY: demo test build bench format clean packages
+.DEFAULT_GOAL := build
+
+build: packages
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS)
+
+demo: build
+	@mkdir -p out/demo
+	build/carrel run scenarios/drills/$(DRILL).json --record out/demo/$(DRILL).carrel --out out/demo
+	build/carrel replay --verify out/demo/$(DRILL).carrel
+	@echo
+	@echo "Report:    $(CURDIR)/out/demo/report.html"
+	@echo "Figures:   $(CURDIR)/out/demo/result.json"
+	@echo "Recording: $(CURDIR)/out/demo/$(DRILL).carrel"
+	@ls out/demo/*.png 2> /dev/null | sed 's|^|Picture:   $(CURDIR)/|'
+
+# Twice: as it ships, then with the address and undefined sanitizers and the simulation's own flags unchanged.
+test: build
+	ctest --test-dir build -j2 --output-on-failure
+	@cmake --preset sanitize > /dev/null
+	@cmake --build build/sanitize -j$(JOBS)
+	ctest --test-dir build/sanitize -j2 --output-on-failure
+
+bench: build
+	build/carrel run scenarios/drills/$(DRILL).json --out out/bench
+	@echo "Microseconds of wall clock for a tick of 1 ms:"
+	@grep -A 4 '"tick_us"' out/bench/result.json
+
+format:
+	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
+
+clean:
+	rm -rf build out
+
+packages:
+	@tools/packages.sh

@@ -1,0 +1,134 @@
+#include "app/report/report_html.hpp"
+
+#include <algorithm>
+
+#include "app/report/style.hpp"
+#include "app/report/text.hpp"
+#include "app/report/timeline.hpp"
+
+namespace app::report {
+
+using scenarios::drill::Result;
+using scenarios::drill::ScoreItem;
+
+namespace {
+
+std::string cell(const std::string& kind, const std::string& words) {
+    return "<td" + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + escaped(words) + "</td>";
+}
+
+std::string head(const std::vector<std::string>& titles) {
+    std::string out = "<div class=\"scroll\"><table>\n<thead><tr>";
+    for (const std::string& title : titles) out += "<th scope=\"col\">" + escaped(title) + "</th>";
+    return out + "</tr></thead>\n<tbody>\n";
+}
+
+const std::string table_end = "</tbody>\n</table></div>\n";
+
+std::string with_unit(const std::string& value, const std::string& unit) {
+    return unit.empty() ? value : value + " " + unit;
+}
+
+std::string verdict(const Result& result) {
+    const auto missed =
+        std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.passed; });
+    std::string out = "<h1>" + escaped(result.drill_title) + "</h1>\n<p class=\"verdict " +
+                      (result.passed ? "pass\">✓ Passed" : "fail\">✗ Not passed") + "</p>\n";
+    if (missed > 0)
+        out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(result.items.size()) +
+               " items outside their band.</p>\n";
+    if (!result.surgical.empty() || !result.knot.empty()) {
+        out += "<p class=\"tied\">Tied: <strong>" + escaped(result.surgical.empty() ? result.knot : result.surgical) +
+               "</strong>";
+        if (!result.throws.empty()) out += ", throws " + escaped(result.throws);
+        if (!result.surgical.empty()) out += ", in knot theory " + escaped(result.knot);
+        out += ".</p>\n";
+    }
+    return out + "<p class=\"note\">" + number(result.duration_s, 1) + " s of simulated time.</p>\n";
+}
+
+std::string score_row(const ScoreItem& item) {
+    const bool judged = !item.band.empty();
+    const std::string sign = !item.passed ? "✗ fail" : judged ? "✓ pass" : "no band";
+    return std::string(item.passed ? "<tr>" : "<tr class=\"missed\">") + "<th scope=\"row\">" + escaped(item.title) +
+           "</th>" + cell("", with_unit(item.value, item.unit)) +
+           cell("", judged ? with_unit(item.band, item.unit) : "–") +
+           cell(!item.passed ? "sign fail"
+                : judged     ? "sign pass"
+                             : "",
+                sign) +
+           cell("number", number(item.at_s, 1) + " s") + cell("", item.why) + "</tr>\n";
+}
+
+std::string scores(const Result& result) {
+    if (result.items.empty()) return "";
+    std::string out = "<h2>Scores</h2>\n" + head({"Item", "Value", "Band", "Verdict", "Moment", "Why"});
+    for (const ScoreItem& item : result.items) out += score_row(item);
+    return out + table_end + "<p class=\"note\">Each item stands for itself; none is added to another.</p>\n";
+}
+
+std::string pictures(const std::vector<Moment>& moments) {
+    if (moments.empty()) return "";
+    std::string out = "<h2>Key moments</h2>\n<div class=\"moments\">\n";
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const Moment& moment = moments[i];
+        out += "<figure>";
+        if (!moment.png.empty())
+            out += "<img alt=\"" + escaped(moment.caption) + "\" src=\"data:image/png;base64," + base64(moment.png) +
+                   "\">";
+        out += "<figcaption><strong>" + std::to_string(i + 1) + "</strong> · " + number(moment.t_s, 2) + " s · " +
+               escaped(moment.caption) + "</figcaption></figure>\n";
+    }
+    return out + "</div>\n";
+}
+
+std::string timeline(const Result& result, const std::vector<Moment>& moments) {
+    std::vector<double> times;
+    for (const Moment& moment : moments) times.push_back(moment.t_s);
+    const std::string svg = timeline_svg(result, times);
+    const std::string numbered = moments.empty() ? "" : " Numbered lines are the key moments above.";
+    return "<h2>Timeline</h2>\n" + (svg.empty() ? "<p>Nothing was sampled in this session.</p>\n"
+                                                : "<div class=\"scroll\">" + svg +
+                                                      "</div>\n<p class=\"note\">The figure on a curve is its largest "
+                                                      "value. Knots carry their table names; 0_1 is no knot." +
+                                                      numbered + "</p>\n");
+}
+
+std::string figure(const std::string& title, const std::string& value, const std::string& meaning) {
+    return "<tr><th scope=\"row\">" + escaped(title) + "</th>" + cell("", value) + cell("", meaning) + "</tr>\n";
+}
+
+std::string thread(const Result& result) {
+    const auto percent = [](double part) { return number(100 * part, 3) + " %"; };
+    const auto& tick = result.tick_us;
+    return "<h2>Thread and simulation</h2>\n" + head({"Figure", "Value", "Meaning"}) +
+           figure("Pass-throughs", std::to_string(result.pass_throughs),
+                  "Times the thread went through itself, as audited.") +
+           figure("Stretch, largest", percent(result.stretch_max),
+                  "Worst link at any moment, against its rest length.") +
+           figure("Stretch, at the end", percent(result.stretch_settled), "Worst link after the last tick.") +
+           figure("Separation, least", number(result.separation_min, 4) + " diameters",
+                  "Between links that are not neighbours; 1 is touching.") +
+           figure("Node step, largest", number(result.node_step_max_over_bound, 4) + " of its bound",
+                  "No node may move further in a substep than 1.") +
+           figure("Contacts, most", std::to_string(result.contacts_max), "At once.") +
+           figure("Links", std::to_string(result.links), "") +
+           figure("Ticks", std::to_string(result.ticks), "In " + std::to_string(result.substeps) + " substeps.") +
+           figure("Tick time", number(tick.p50, 1) + " / " + number(tick.p99, 1) + " / " + number(tick.max, 1) + " µs",
+                  "Median, 99th percentile and largest, wall clock" +
+                      (result.machine.empty() ? "." : ", on " + result.machine + ".")) +
+           figure("State hash", result.state_hash, "Equal inputs end in this state on every machine.") + table_end;
+}
+
+}  // namespace
+
+std::string report_html(const Result& result, const std::vector<Moment>& moments) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+           "'unsafe-inline'\">\n<title>" +
+           escaped(result.drill_title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n" + verdict(result) +
+           scores(result) + pictures(moments) + timeline(result, moments) + thread(result) + "</body>\n</html>\n";
+}
+
+}  // namespace app::report

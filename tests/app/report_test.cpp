@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/report/report_html.hpp"
+#include "app/report/result_json.hpp"
+#include "app/report/text.hpp"
+
+using namespace app::report;
+using scenarios::drill::Result;
+
+namespace {
+
+Result tied() {
+    Result r;
+    r.drill_title = "Square knot around a 4 mm vessel";
+    r.instruments = {"left", "right"};
+    r.items = {{"knot", "Knot", "granny", "", "square", false, 21.5, "The second throw went the same way round."},
+               {"tail_short", "Shorter tail", "6.1", "mm", "3 to 8", true, 24, ""},
+               {"time", "Time", "131.0", "s", "at most 120", false, 131, "It took too long."},
+               {"path_left", "Path length, left tool", "402", "mm", "", true, 131, ""}};
+    for (int i = 0; i < 2400; ++i) {
+        const double t = 0.01 * i, wave = 1 + std::sin(t);
+        r.samples.push_back({t,
+                             i == 1700 ? 1.87 : 0.3 * wave,
+                             {40 * wave, 25.0},
+                             {0.1 * wave, 0.0},
+                             {i > 300, i / 500 % 2},
+                             i < 900    ? "0_1"
+                             : i < 1800 ? "3_1"
+                                        : "3_1#3_1"});
+    }
+    r.events = {{3.0, "grasp", "left", 0.02}, {9.0, "knot", "3_1", 0}, {12.3, "slip", "right", 1.2}};
+    r.duration_s = 24;
+    r.links = 300;
+    r.ticks = 24000;
+    r.substeps = 61234;
+    r.stretch_max = 0.004;
+    r.separation_min = 0.998;
+    r.node_step_max_over_bound = 1;
+    r.contacts_max = 61;
+    r.knot = "3_1#3_1";
+    r.surgical = "granny";
+    r.throws = "1x1";
+    r.state_hash = "0123456789abcdef";
+    r.tick_us = {41, 63, 120};
+    r.machine = "some machine";
+    return r;
+}
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+// Scripts read result.json by these keys; a renamed one breaks them silently.
+TEST(ResultJson, SaysWhatTheContractNames) {
+    const auto j = nlohmann::json::parse(result_json(tied()));
+    EXPECT_EQ(j.at("drill"), "Square knot around a 4 mm vessel");
+    EXPECT_EQ(j.at("passed"), false);
+    EXPECT_EQ(j.at("items").size(), 4u);
+    const auto& item = j.at("items")[0];
+    EXPECT_EQ(item.at("name"), "knot");
+    EXPECT_EQ(item.at("title"), "Knot");
+    EXPECT_EQ(item.at("value"), "granny");
+    EXPECT_EQ(item.at("unit"), "");
+    EXPECT_EQ(item.at("band"), "square");
+    EXPECT_EQ(item.at("passed"), false);
+    EXPECT_EQ(item.at("at_s"), 21.5);
+    EXPECT_EQ(item.at("why"), "The second throw went the same way round.");
+    EXPECT_EQ(j.at("knot"), "3_1#3_1");
+    EXPECT_EQ(j.at("surgical"), "granny");
+    EXPECT_EQ(j.at("throws"), "1x1");
+    EXPECT_EQ(j.at("/thread/links"_json_pointer), 300);
+    EXPECT_EQ(j.at("/thread/stretch/max"_json_pointer), 0.004);
+    EXPECT_EQ(j.at("/thread/stretch/settled"_json_pointer), 0);
+    EXPECT_EQ(j.at("/thread/separation/min"_json_pointer), 0.998);
+    EXPECT_EQ(j.at("/thread/node_step/max_over_bound"_json_pointer), 1);
+    EXPECT_EQ(j.at("/thread/pass_throughs"_json_pointer), 0);
+    EXPECT_EQ(j.at("/thread/contacts/max"_json_pointer), 61);
+    EXPECT_EQ(j.at("/tick_us/p50"_json_pointer), 41);
+    EXPECT_EQ(j.at("/tick_us/p99"_json_pointer), 63);
+    EXPECT_EQ(j.at("/tick_us/max"_json_pointer), 120);
+    EXPECT_EQ(j.at("ticks"), 24000);
+    EXPECT_EQ(j.at("substeps"), 61234);
+    EXPECT_EQ(j.at("duration_s"), 24);
+    EXPECT_EQ(j.at("state_hash"), "0123456789abcdef");
+    EXPECT_EQ(j.at("machine"), "some machine");
+    EXPECT_EQ(j.at("/events/2"_json_pointer),
+              nlohmann::json({{"t_s", 12.3}, {"kind", "slip"}, {"what", "right"}, {"value", 1.2}}));
+}
+
+// A NaN or a stray byte in the file would make every JSON reader refuse the whole result.
+TEST(ResultJson, IsJsonWhateverWasMeasured) {
+    Result r = tied();
+    r.stretch_max = NAN;
+    r.tick_us.max = INFINITY;
+    r.items[0].at_s = -INFINITY;
+    r.events[0].what = "\xff";
+    const auto j = nlohmann::json::parse(result_json(r));
+    EXPECT_TRUE(j.at("/thread/stretch/max"_json_pointer).is_null());
+    EXPECT_TRUE(j.at("/tick_us/max"_json_pointer).is_null());
+    EXPECT_TRUE(j.at("/items/0/at_s"_json_pointer).is_null());
+}
+
+// A score whose band or reason is left out teaches nothing.
+TEST(Report, ShowsEveryItemWithBandMomentAndReason) {
+    const Result r = tied();
+    const std::string html = report_html(r, {});
+    for (const auto& item : r.items) {
+        EXPECT_TRUE(has(html, item.title)) << item.title;
+        EXPECT_TRUE(has(html, item.unit.empty() ? item.value : item.value + " " + item.unit)) << item.name;
+        EXPECT_TRUE(has(html, item.unit.empty() || item.band.empty() ? item.band : item.band + " " + item.unit))
+            << item.name;
+        EXPECT_TRUE(has(html, number(item.at_s, 1) + " s")) << item.name;
+        EXPECT_TRUE(has(html, item.why)) << item.name;
+    }
+    EXPECT_TRUE(has(html, "✗ fail"));
+    EXPECT_TRUE(has(html, "✓ pass"));
+    EXPECT_TRUE(has(html, "✗ Not passed"));
+    EXPECT_TRUE(has(html, "2 of 4 items"));
+}
+
+// The page is mailed and opened on hospital machines: it must not ask for anything outside itself.
+TEST(Report, NeedsNothingButItself) {
+    const std::string html = report_html(tied(), {{3, "Grasp", {1, 2, 3}}});
+    for (const char* outside : {"http://", "https://", "file:", "src=\"/", "<script", "<link", "url(", "@import"})
+        EXPECT_FALSE(has(html, outside)) << outside;
+    EXPECT_TRUE(has(html, "src=\"data:image/png;base64,AQID\""));
+}
+
+// Titles and names come from files that others wrote: they must not become markup.
+TEST(Report, TextFromFilesStaysText) {
+    const std::string evil = "<script>alert('x')</script>\"&";
+    Result r = tied();
+    r.drill_title = r.instruments[0] = r.knot = r.surgical = r.throws = r.state_hash = r.machine = evil;
+    r.items[0] = {evil, evil, evil, evil, evil, false, 1, evil};
+    r.events[0].kind = r.events[1].what = r.samples[0].knot = evil;
+    const std::string html = report_html(r, {{1, evil, {}}});
+    EXPECT_FALSE(has(html, "<script"));
+    EXPECT_FALSE(has(html, "alert('"));
+    EXPECT_TRUE(has(html, "&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;&quot;&amp;"));
+}
+
+// A drill that stops at once, or a measurement that blew up, must still give a page to read.
+TEST(Report, SurvivesEmptyAndBrokenSessions) {
+    EXPECT_TRUE(has(report_html(Result{}, {}), "Nothing was sampled"));
+    Result r = tied();
+    r.duration_s = NAN;
+    r.samples[5] = {NAN, NAN, {}, {}, {}, ""};
+    r.samples[6].tension_N = INFINITY;
+    r.samples[7].t_s = -1;
+    r.events[0].t_s = NAN;
+    r.separation_min = NAN;
+    const std::string html = report_html(r, {{NAN, "When?", {}}});
+    for (const char* word : {"\"nan", "\"-nan", "\"inf", " nan", " inf", "M–", "L–", "\"–\""})
+        EXPECT_FALSE(has(html, word)) << word;
+    r.samples.assign(1, {0, 0, {0, 0}, {0, 0}, {0, 0}, "0_1"});
+    EXPECT_TRUE(has(report_html(r, {}), "<svg"));
+}
+
+// The peak is what is scored: thinning that drops it would show a curve that contradicts the table.
+TEST(Report, ThinningKeepsThePeak) {
+    const std::string html = report_html(tied(), {});
+    EXPECT_TRUE(has(html, ">1.87</text>"));
+    EXPECT_LT(html.size(), 200'000u);
+}
+
+// Test vectors of RFC 4648, section 10.
+TEST(Report, Base64) {
+    const auto of = [](const std::string& s) { return base64({s.begin(), s.end()}); };
+    EXPECT_EQ(of(""), "");
+    EXPECT_EQ(of("f"), "Zg==");
+    EXPECT_EQ(of("fo"), "Zm8=");
+    EXPECT_EQ(of("foo"), "Zm9v");
+    EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(of("\xff\xfe\xfb"), "//77");
+}
