@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/checks.hpp"
+#include "app/commands/play.hpp"
 
 namespace app {
 
@@ -12,6 +13,10 @@ std::function<int()>& chosen_command() {
 }
 
 void add_commands(CLI::App& program) {
+    add_run(program);
+    add_replay(program);
+    add_render(program);
+    add_motion(program);
     add_validate(program);
     add_explain(program);
 }

@@ -4,6 +4,9 @@
 
 #include "app/commands.hpp"
 #include "app/fault.hpp"
+#include "assets/mesh.hpp"
+#include "scenarios/drill/file.hpp"
+#include "scenarios/recording/recording.hpp"
 
 int main(int argc, char** argv) try {
     CLI::App program{"Carrel: a surgical suturing trainer. A thread that can be tied, pulled tight and named."};
@@ -19,6 +22,15 @@ int main(int argc, char** argv) try {
     std::cerr << failed.what() << '\n';
     return 3;
 } catch (const app::InputFault& fault) {
+    std::cerr << fault.what() << '\n';
+    return 2;
+} catch (const assets::AssetError& fault) {
+    std::cerr << fault.what() << '\n';
+    return 2;
+} catch (const scenarios::drill::FileError& fault) {
+    std::cerr << fault.what() << '\n';
+    return 2;
+} catch (const scenarios::recording::RecordingError& fault) {
     std::cerr << fault.what() << '\n';
     return 2;
 } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
 #include "app/play/output.hpp"
+#include "app/report/result_json.hpp"
 #include "scenarios/recording/recording.hpp"
 
 namespace app {
@@ -48,7 +49,7 @@ int replay(const Options& options) {
     }
     const auto result = session.finish();
     if (!options.out.empty()) write_output(options.out, session, result, {});
-    if (options.json || !options.verify) std::cout << (options.json ? result_json(result) : score_table(result));
+    if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
     if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
     if (options.verify)

@@ -8,6 +8,7 @@
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
 #include "app/play/output.hpp"
+#include "app/report/result_json.hpp"
 #include "scenarios/drill/motion.hpp"
 #include "scenarios/recording/recording.hpp"
 
@@ -75,7 +76,7 @@ int run(const Options& options) {
         recorder->finish();
     }
     if (!options.out.empty()) write_output(options.out, session, result, frames);
-    std::cout << (options.json ? result_json(result) : score_table(result));
+    std::cout << (options.json ? report::result_json(result) : score_table(result));
     return 0;
 }
 
