@@ -1,0 +1,50 @@
+#include "app/draw/camera.hpp"
+
+#include <cmath>
+
+namespace app::draw {
+
+// 30 degrees: a lens long enough that near tools do not loom over the thread.
+constexpr double field_of_view = 0.524;
+const Vec3 towards_eye = Vec3(0, -0.78, 0.62).normalized();
+
+Camera close_view(const Vec3& point, double radius) {
+    return {point + radius / std::sin(field_of_view / 2) * towards_eye, point, Vec3::UnitZ(), field_of_view};
+}
+
+// 18.5 mm up and down are 25 mm to either side, with room to spare, in a picture of 3 to 2.
+Camera default_view() { return close_view(Vec3::Zero(), 18.5e-3); }
+
+Eigen::Matrix3d axes_of(const Camera& camera) {
+    const Vec3 back = (camera.position - camera.target).normalized();
+    const Vec3 right = camera.up.cross(back).normalized();
+    Eigen::Matrix3d axes;
+    axes << right.transpose(), back.cross(right).transpose(), back.transpose();
+    return axes;
+}
+
+double half_height(const Camera& camera) { return std::tan(camera.field_of_view / 2); }
+
+double near_plane(const Camera& camera) { return (camera.position - camera.target).norm() / 50; }
+double far_plane(const Camera& camera) { return (camera.position - camera.target).norm() * 50; }
+
+Eigen::Matrix4d clip_from_world(const Camera& camera, double aspect) {
+    const double near = near_plane(camera), far = far_plane(camera), scale = 1 / half_height(camera);
+    Eigen::Matrix4d clip = Eigen::Matrix4d::Zero(), view = Eigen::Matrix4d::Identity();
+    clip(0, 0) = scale / aspect;
+    clip(1, 1) = scale;
+    clip(2, 2) = -(far + near) / (far - near);
+    clip(2, 3) = -2 * far * near / (far - near);
+    clip(3, 2) = -1;
+    view.topLeftCorner<3, 3>() = axes_of(camera);
+    view.topRightCorner<3, 1>() = -axes_of(camera) * camera.position;
+    return clip * view;
+}
+
+Vec3 project(const Picture& picture, const Vec3& point) {
+    const Vec3 p = axes_of(picture.camera) * (point - picture.camera.position);
+    const double pixels = picture.height / (2 * half_height(picture.camera) * -p.z());
+    return {picture.width / 2.0 + p.x() * pixels, picture.height / 2.0 - p.y() * pixels, -p.z()};
+}
+
+}  // namespace app::draw

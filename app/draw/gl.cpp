@@ -1,0 +1,104 @@
+#include "app/draw/gl.hpp"
+
+#include <GL/osmesa.h>
+
+namespace app::draw {
+
+Context::Context() {
+    const int wanted[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                          OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    context_ = OSMesaCreateContextAttribs(wanted, nullptr);
+    if (!context_) throw DrawError("cannot draw: OSMesa gives no OpenGL 3.3 core context");
+    make_current();
+#define CARREL_GL_LOAD(TYPE, name)                                                       \
+    gl.name = reinterpret_cast<PFNGL##TYPE##PROC>(OSMesaGetProcAddress("gl" #name)); \
+    if (!gl.name) throw DrawError("cannot draw: OSMesa has no gl" #name);
+    CARREL_GL_FUNCTIONS(CARREL_GL_LOAD)
+#undef CARREL_GL_LOAD
+}
+
+Context::~Context() { OSMesaDestroyContext(static_cast<OSMesaContext>(context_)); }
+
+void Context::make_current() {
+    if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(context_), own_, GL_UNSIGNED_BYTE, 16, 16))
+        throw DrawError("cannot draw: OSMesa's context cannot be made current");
+}
+
+static unsigned texture_of(Gl& gl, int width, int height, int kept_as, unsigned format, unsigned type) {
+    unsigned id = 0;
+    gl.GenTextures(1, &id);
+    gl.BindTexture(GL_TEXTURE_2D, id);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, kept_as, width, height, 0, format, type, nullptr);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return id;
+}
+
+Target::Target(Gl& gl, int w, int h, bool with_color) : width(w), height(h), gl_(gl) {
+    gl.GenFramebuffers(1, &frame_);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+    depth = texture_of(gl, w, h, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    if (with_color) {
+        color = texture_of(gl, w, h, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    } else {
+        gl.DrawBuffer(GL_NONE);
+        gl.ReadBuffer(GL_NONE);
+    }
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw DrawError("cannot draw: OpenGL gives no picture of " + std::to_string(w) + " x " + std::to_string(h));
+}
+
+Target::~Target() {
+    gl_.DeleteFramebuffers(1, &frame_);
+    gl_.DeleteTextures(1, &depth);
+    if (color) gl_.DeleteTextures(1, &color);
+}
+
+void Target::draw_here() const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+    gl_.Viewport(0, 0, width, height);
+}
+
+Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment)
+    : gl_(gl), id_(gl.CreateProgram()) {
+    const auto attach = [&](unsigned kind, const std::string& text) {
+        const std::string whole = "#version 330 core\n" + text;
+        const char* source = whole.c_str();
+        const unsigned shader = gl.CreateShader(kind);
+        gl.ShaderSource(shader, 1, &source, nullptr);
+        gl.CompileShader(shader);
+        gl.AttachShader(id_, shader);
+        gl.DeleteShader(shader);  // lives as long as the program
+    };
+    attach(GL_VERTEX_SHADER, vertex);
+    attach(GL_FRAGMENT_SHADER, fragment);
+    gl.LinkProgram(id_);
+    int linked = 0;
+    gl.GetProgramiv(id_, GL_LINK_STATUS, &linked);
+    if (linked) return;
+    char log[2000] = "";
+    gl.GetProgramInfoLog(id_, sizeof log, nullptr, log);
+    throw DrawError(std::string("cannot draw: a shader does not compile: ") + log);
+}
+
+Program::~Program() { gl_.DeleteProgram(id_); }
+
+void Program::set(const char* name, const Vec3& value) const {
+    gl_.Uniform3fv(at(name), 1, value.cast<float>().eval().data());
+}
+
+void Program::set(const char* name, const Eigen::Matrix4d& value) const {
+    gl_.UniformMatrix4fv(at(name), 1, GL_FALSE, value.cast<float>().eval().data());
+}
+
+void Program::texture(const char* name, int unit, unsigned id) const {
+    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+    gl_.BindTexture(GL_TEXTURE_2D, id);
+    set(name, unit);
+}
+
+}  // namespace app::draw

@@ -1,0 +1,86 @@
+#pragma once
+#include <GL/glcorearb.h>
+
+#include <string>
+
+#include "app/draw/picture.hpp"
+
+namespace app::draw {
+
+/// The functions of OpenGL 3.3 used here, by their names without "gl".
+#define CARREL_GL_FUNCTIONS(F)                                                                                         \
+    F(ACTIVETEXTURE, ActiveTexture) F(ATTACHSHADER, AttachShader) F(BINDBUFFER, BindBuffer)                            \
+    F(BINDFRAMEBUFFER, BindFramebuffer) F(BINDTEXTURE, BindTexture) F(BINDVERTEXARRAY, BindVertexArray)                \
+    F(BUFFERDATA, BufferData) F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) F(CLEAR, Clear)                        \
+    F(COMPILESHADER, CompileShader) F(CREATEPROGRAM, CreateProgram) F(CREATESHADER, CreateShader)                      \
+    F(DELETEBUFFERS, DeleteBuffers) F(DELETEFRAMEBUFFERS, DeleteFramebuffers) F(DELETEPROGRAM, DeleteProgram)          \
+    F(DELETESHADER, DeleteShader) F(DELETETEXTURES, DeleteTextures) F(DELETEVERTEXARRAYS, DeleteVertexArrays)          \
+    F(DEPTHFUNC, DepthFunc) F(DISABLE, Disable) F(DRAWARRAYS, DrawArrays) F(DRAWBUFFER, DrawBuffer)                    \
+    F(DRAWELEMENTS, DrawElements) F(ENABLE, Enable) F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                \
+    F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) F(GENBUFFERS, GenBuffers) F(GENFRAMEBUFFERS, GenFramebuffers)        \
+    F(GENTEXTURES, GenTextures) F(GENVERTEXARRAYS, GenVertexArrays) F(GETERROR, GetError)                              \
+    F(GETPROGRAMINFOLOG, GetProgramInfoLog) F(GETPROGRAMIV, GetProgramiv)                                              \
+    F(GETUNIFORMLOCATION, GetUniformLocation) F(LINKPROGRAM, LinkProgram) F(PIXELSTOREI, PixelStorei)                  \
+    F(READBUFFER, ReadBuffer) F(READPIXELS, ReadPixels) F(SHADERSOURCE, ShaderSource) F(TEXIMAGE2D, TexImage2D)        \
+    F(TEXPARAMETERFV, TexParameterfv) F(TEXPARAMETERI, TexParameteri) F(UNIFORM1F, Uniform1f)                          \
+    F(UNIFORM1I, Uniform1i) F(UNIFORM3FV, Uniform3fv) F(UNIFORM4FV, Uniform4fv)                                        \
+    F(UNIFORMMATRIX4FV, UniformMatrix4fv) F(USEPROGRAM, UseProgram)                                                    \
+    F(VERTEXATTRIBPOINTER, VertexAttribPointer) F(VIEWPORT, Viewport)
+
+struct Gl {
+#define CARREL_GL_MEMBER(TYPE, name) PFNGL##TYPE##PROC name;
+    CARREL_GL_FUNCTIONS(CARREL_GL_MEMBER)
+#undef CARREL_GL_MEMBER
+};
+
+/// A software OpenGL 3.3 core context without a window. Throws DrawError where there is none.
+class Context {
+  public:
+    Context();
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+    void make_current();
+    Gl gl;
+
+  private:
+    void* context_;
+    unsigned char own_[16 * 16 * 4];  // the context wants a picture of its own; ours are larger and come and go
+};
+
+/// A picture on the graphics side, with depth; colour is left out where only depth is wanted.
+class Target {
+  public:
+    Target(Gl& gl, int width, int height, bool with_color);
+    ~Target();
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+    void draw_here() const;
+    const int width, height;
+    unsigned color = 0, depth = 0;  ///< Textures.
+
+  private:
+    Gl& gl_;
+    unsigned frame_ = 0;
+};
+
+class Program {
+  public:
+    Program(Gl& gl, const std::string& vertex, const std::string& fragment);
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+    void use() const { gl_.UseProgram(id_); }
+    void set(const char* name, int value) const { gl_.Uniform1i(at(name), value); }
+    void set(const char* name, float value) const { gl_.Uniform1f(at(name), value); }
+    void set(const char* name, const Vec3& value) const;
+    void set(const char* name, const Eigen::Matrix4d& value) const;
+    void texture(const char* name, int unit, unsigned texture) const;
+
+  private:
+    int at(const char* name) const { return gl_.GetUniformLocation(id_, name); }
+    Gl& gl_;
+    unsigned id_;
+};
+
+}  // namespace app::draw

@@ -1,0 +1,79 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "assets/mesh.hpp"
+#include "instruments/tool.hpp"
+
+namespace app::draw {
+
+using sim::geometry::Vec3;
+
+/// A pinhole camera; `up` need only not lie along the line of sight.
+struct Camera {
+    Vec3 position, target, up = Vec3::UnitZ();  ///< [m], world; up has no unit.
+    double field_of_view = 0.5;                 ///< Vertical [rad], in (0, pi).
+};
+
+/// The operative field, 25 mm to either side of the origin, from the front (-y) and above.
+Camera default_view();
+
+/// A ball filling the height of the picture, from where default_view() looks. radius > 0 [m].
+Camera close_view(const Vec3& point, double radius);
+
+struct ToolPicture {
+    instruments::Kind kind = instruments::Kind::forceps;
+    instruments::Pose pose;
+    double jaw = 1.0;  ///< 0 closed to 1 open.
+};
+
+/// All that is to be seen, in the world frame.
+struct Picture {
+    std::vector<Vec3> thread;      ///< Nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
+    double thread_radius = 50e-6;  ///< [m] Drawn true, yet nowhere under 1.2 pixels, or a fine thread would vanish.
+    std::vector<ToolPicture> tools;
+    std::vector<assets::Mesh> vessels;
+    Camera camera = default_view();
+    int width = 960, height = 640;  ///< Pixels, 1 to 4096 each.
+};
+
+/// Rows from the top, red, green and blue, 8 bits each, as a screen wants them (sRGB).
+struct Image {
+    int width = 0, height = 0;
+    std::vector<unsigned char> pixels;  ///< 3 * width * height
+};
+
+struct DrawError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Draws in memory: needs neither a window nor a graphics card. Making one compiles the shaders, so keep it. One thread
+/// at a time.
+/// Throws DrawError: OpenGL 3.3 is not to be had.
+class Canvas {
+  public:
+    Canvas();
+    ~Canvas();
+    struct Gpu;  ///< What OpenGL holds for us; canvas.cpp alone knows it.
+    Gpu& gpu() { return *gpu_; }
+
+  private:
+    std::unique_ptr<Gpu> gpu_;
+};
+
+/// The same picture gives the same bytes. Throws DrawError: a size or a camera out of range.
+Image render(Canvas& canvas, const Picture& picture);
+
+/// The place of a point of the world in the picture: pixels from its left and top edge; z is the depth [m] before the
+/// camera, not positive behind it.
+Vec3 project(const Picture& picture, const Vec3& point);
+
+/// Throws DrawError: no pixels, or as many as do not fit the size.
+std::vector<unsigned char> encode_png(const Image& image);
+
+/// Throws DrawError: the file cannot be written.
+void write_png(const Image& image, const std::filesystem::path& file);
+
+}  // namespace app::draw
