@@ -1,5 +1,5 @@
-# The walls between the rooms: which room may include which, which library lives where, and what would make two runs of the
-# simulation differ. Reads sources only, so it also sees files that no target builds yet.
+# The walls between the rooms: which room may include which, which library lives where, and what would make two runs
+# of the simulation differ. Reads sources only, so it also sees files that no target builds yet.
 #   cmake [-DROOT=source folder] -P walls.cmake     fails and names every crossing
 cmake_minimum_required(VERSION 3.25)
 if(NOT ROOT)
@@ -7,7 +7,8 @@ if(NOT ROOT)
 endif()
 
 # Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room.
-set(rooms sim/geometry sim/thread sim/knot tissue instruments assets scenarios/world scenarios/drill scenarios/recording app)
+set(rooms sim/geometry sim/thread sim/knot tissue instruments assets
+    scenarios/world scenarios/drill scenarios/recording app)
 set(values sim/geometry/ instruments/tool[.]hpp)  # what a drill or a recording is made of: points, poses and jaws
 set(sim/thread_sees sim/geometry/)
 set(sim/knot_sees sim/geometry/)

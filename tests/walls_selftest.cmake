@@ -1,4 +1,5 @@
-# Plants one fault at a time in a tree of its own and expects walls.cmake to find it: a wall that never fails guards nothing.
+# Plants one fault at a time in a tree of its own and expects walls.cmake to find it: a wall that never fails guards
+# nothing.
 #   cmake -DSCRATCH=folder -P walls_selftest.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -45,6 +46,7 @@ expect(FAILS scenarios/drill/a.cpp "#include <unordered_map>")
 expect(FAILS scenarios/world/a.cpp "#include <chrono>")
 
 expect(PASSES sim/thread/a.cpp "#include \"sim/geometry/vec.hpp\"\n// not std::sin(x), which differs; see rand()")
-expect(PASSES scenarios/world/a.cpp "#include \"sim/thread/thread.hpp\"\ndouble a(double x) { return std::sqrt(x) + g::sin(x); }")
+expect(PASSES scenarios/world/a.cpp "#include \"sim/thread/thread.hpp\"
+double a(double x) { return std::sqrt(x) + g::sin(x); }")
 expect(PASSES scenarios/recording/a.cpp "#include <chrono>\n#include \"scenarios/drill/result.hpp\"")
 expect(PASSES app/a.cpp "#include <GL/gl.h>\n#include <cmath>\ndouble a() { return std::sin(1.0); }")
