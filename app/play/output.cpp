@@ -58,7 +58,7 @@ void write_output(const std::filesystem::path& dir, const Session& session, cons
     write_png(dir / "end.png", moments[moments.size() - 2].png);
     write_png(dir / "end-close.png", moments.back().png);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        char name[24];
+        char name[40];
         std::snprintf(name, sizeof name, "frame-%04zu.png", i + 1);
         write_png(dir / name, picture_of(session, frames[i]));
     }
