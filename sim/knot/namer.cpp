@@ -6,6 +6,7 @@
 #include "sim/knot/diagram.hpp"
 #include "sim/knot/homfly.hpp"
 #include "sim/knot/reduce.hpp"
+#include "sim/knot/surgical.hpp"
 #include "sim/knot/table.hpp"
 
 namespace sim::knot {
@@ -16,6 +17,7 @@ namespace {
 constexpr int table_crossings = 10;
 // Skein steps for one factor: a hundred times what a factor of ten crossings takes.
 constexpr int skein_budget = 20000;
+constexpr int ballots = 12;  // Ways out for a buried end.
 constexpr int quick_views = 6, stubborn_views = 60;
 
 int worst_factor(const std::vector<Diagram>& factors) {
@@ -72,13 +74,51 @@ Name name_closed(const std::vector<Vec3>& polygon) {
     return name;
 }
 
+// Straight parallel ways out, by vote: an end inside the coils may belong to one knot or another, and only a clear
+// majority is a name.
+Name vote(const std::vector<Vec3>& points) {
+    std::map<std::string, std::pair<int, Name>> votes;
+    for (int view = 0; view < ballots; ++view) {
+        const Vec3 out = view_direction(view);
+        const Name name = name_closed(join_ends(points, out, out));
+        auto& [count, first] = votes[name.knot];
+        if (count++ == 0) first = name;
+    }
+    const auto fewer = [](const auto& a, const auto& b) { return a.second.first < b.second.first; };
+    Name winner = std::max_element(votes.begin(), votes.end(), fewer)->second.second;
+    const int share = votes[winner.knot].first;
+    if (share == ballots) return winner;
+    winner.certain = false;
+    winner.candidates.clear();
+    for (const auto& [knot, count_and_name] : votes) winner.candidates.push_back(knot);
+    if (10 * share < 7 * ballots) winner.knot = "unknown", winner.factors.clear();
+    return winner;
+}
+
+Name name_open(const std::vector<Vec3>& points) {
+    const std::optional<Vec3> first = outward(points, 0), last = outward(points, points.size() - 1);
+    return first && last ? name_closed(join_ends(points, *first, *last)) : vote(points);
+}
+
+// A piece of a rope, for reading only: one way out must do for a buried end.
+Name name_piece(const std::vector<Vec3>& piece) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& v : piece) middle += v / static_cast<double>(piece.size());
+    const auto way_out = [&](size_t end) {
+        const std::optional<Vec3> free = outward(piece, end);
+        return free ? *free : (piece[end] - middle).normalized();
+    };
+    return name_closed(join_ends(piece, way_out(0), way_out(piece.size() - 1)));
+}
+
 }  // namespace
 
 Name name_knot(const std::vector<Vec3>& curve, bool closed) {
-    std::vector<Vec3> points = general_position(curve);
+    const std::vector<Vec3> points = general_position(curve);
     if (closed) return name_closed(points);
-    const std::optional<Vec3> first = outward(points, 0), last = outward(points, points.size() - 1);
-    return name_closed(join_ends(points, first.value_or(Vec3::UnitX()), last.value_or(Vec3::UnitX())));
+    Name name = name_open(points);
+    read_throws(points, name_piece, name);
+    return name;
 }
 
 }  // namespace sim::knot
