@@ -21,13 +21,13 @@ struct Throw {
 };
 
 struct Name {
-    std::string knot = "0_1";            ///< "3_1#m3_1": factors sorted and joined by '#'; "unknown" if not in the table.
+    std::string knot = "0_1";  ///< "3_1#m3_1": factors sorted and joined by '#'; "unknown" if not in the table.
     std::vector<Factor> factors;
-    std::string surgical;                ///< "square", "granny", "surgeon's", "overhand", "slip", ... or empty.
-    std::string throws;                  ///< Tera and Aberg: "1=1", "2=1", "1x1", or empty.
+    std::string surgical;  ///< "square", "granny", "surgeon's", "overhand", "slip", ... or empty.
+    std::string throws;    ///< Tera and Aberg: "1=1", "2=1", "1x1", or empty.
     int crossings_projected = 0, crossings_reduced = 0;
     bool certain = true;
-    std::vector<std::string> candidates; ///< What remains when not certain.
+    std::vector<std::string> candidates;  ///< What remains when not certain.
 };
 
 /// Names the knot in an open curve (its ends joined outside its convex hull) or a closed one.

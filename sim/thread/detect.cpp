@@ -72,9 +72,31 @@ void detect(State& state, double reach) {
 
 geometry::ClosestPair nearest(const State& state, const Contact& c) {
     const Vec3 &a0 = state.nodes[at(c.link)], &a1 = state.nodes[at(c.link + 1)];
-    if (c.against == Against::surface) return closest_points(a0, a1, (*state.input.surface)[c.other]);
+    if (c.against == Against::surface) {
+        // Within a substep the wall is the plane through the point that was nearest when it began: the link moves by less
+        // than the thread's radius meanwhile, and the next substep looks again.
+        const Vec3 on_link = a0 + c.link_place * (a1 - a0);
+        const double height = std::max(0.0, (on_link - c.wall).dot(c.normal));
+        return {c.link_place, 0, on_link, on_link - height * c.normal, height * height};
+    }
     if (c.against == Against::capsule) return closest_points(a0, a1, state.capsules[at(c.other)].a, state.capsules[at(c.other)].b);
     return closest_points(a0, a1, state.nodes[at(c.other)], state.nodes[at(c.other + 1)]);
+}
+
+// Most triangles about a link are out of its reach: the nearer of its ends' heights over their plane says so at once, and
+// is a gap on the safe side.
+static void find_wall(const State& state, Contact& c) {
+    const Vec3 &a0 = state.nodes[at(c.link)], &a1 = state.nodes[at(c.link + 1)];
+    const geometry::Triangle& triangle = (*state.input.surface)[c.other];
+    const Vec3 up = (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalized();
+    const double h0 = up.dot(a0 - triangle.a), h1 = up.dot(a1 - triangle.a);
+    c.gap = (h0 > 0) == (h1 > 0) ? std::min(std::abs(h0), std::abs(h1)) : 0;
+    if (c.gap > 3 * c.thickness) return;
+    const auto pair = closest_points(a0, a1, triangle);
+    c.gap = std::sqrt(pair.distance_squared);
+    if (c.gap > 0) c.normal = (pair.on_a - pair.on_b) / c.gap;
+    c.link_place = pair.s;
+    c.wall = pair.on_b;
 }
 
 // A node may use `bound_share` of the distance from either of its links to whatever they are not joined to. Things not
@@ -87,9 +109,13 @@ void measure_gaps(State& state) {
         state.bound[at(link + 1)] = std::min(state.bound[at(link + 1)], room);
     };
     for (Contact& c : state.contacts) {
-        const auto pair = nearest(state, c);
-        c.gap = std::sqrt(pair.distance_squared);
-        c.place = pair.t;
+        if (c.against == Against::surface) {
+            find_wall(state, c);
+        } else {
+            const auto pair = nearest(state, c);
+            c.gap = std::sqrt(pair.distance_squared);
+            c.place = pair.t;
+        }
         // A surface stands still, so the thread may use both shares.
         tighten(c.link, c.against == Against::surface ? 2 * bound_share * c.gap : bound_share * c.gap);
         if (c.against == Against::thread) tighten(c.other, bound_share * c.gap);

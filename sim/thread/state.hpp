@@ -21,6 +21,8 @@ struct Contact {
     double friction;              ///< Coulomb coefficient.
     double target = 0;            ///< Distance to come to in this substep: `thickness`, or less when deep inside [m].
     double place = 0;             ///< Where along the other's axis it is nearest, 0..1, substep start.
+    double link_place = 0;        ///< Where along the link, 0..1, and
+    Vec3 wall = Vec3::Zero();     ///< which point of a surface is nearest, substep start.
     double normal_push = 0;       ///< >= 0.
     Vec3 tangent_push = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();  ///< From the other towards the link; last one known.
