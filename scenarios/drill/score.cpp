@@ -145,6 +145,15 @@ void score_tails(const Goal& goal, const world::Measures& measures, std::vector<
                            goal.tails_mm));
 }
 
+void score_around(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    if (goal.around.empty()) return;
+    const auto& found = measures.around;
+    ScoreItem item{"around", "Tied around", found.empty() ? "nothing" : found.front(), "", goal.around,
+                   std::find(found.begin(), found.end(), goal.around) != found.end(), measures.knot_since_s, ""};
+    if (!item.passed) item.why = "The loop below the knot does not go round the " + goal.around + ".";
+    items.push_back(item);
+}
+
 void score_tools(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     const auto& tools = drill.world.instruments;
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -188,6 +197,7 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
         score_knot(goal, measures, items);
         score_throws(goal, measures, items);
         score_tails(goal, measures, items);
+        score_around(goal, measures, items);
     }
     items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
                             "The drill took longer than allowed.", "The drill was ended before a tie can be done."},

@@ -120,12 +120,13 @@ void World::update_grasps() {
 bool World::slip(Tool& tool, Grasp& grasp) {
     const double tension = tension_at(grasp.middle());
     if (tension <= tool.shape.grip_force) return true;
+    if (!tool.slipping) log("slip", tool.def.name, tool.shape.grip_force);
+    tool.slipping = true;
     const auto nodes = thread_.nodes();
     const auto middle = static_cast<std::size_t>(grasp.middle());
     const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
     const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor - nodes[middle];
     const Vec3 back = tool.now.pose.rotation.conjugate() * ((1 - tool.shape.grip_force / tension) * lag);
-    log("slip", tool.def.name, tension);
 
     // What the jaws hold now: the nodes that are in their room after the shift, in the place they then have.
     const JawRoom room(tool.shape, tool.now.jaw);
@@ -147,7 +148,10 @@ bool World::slip(Tool& tool, Grasp& grasp) {
 }
 
 void World::let_grasps_slip() {
-    for (Tool& tool : tools_)
+    for (Tool& tool : tools_) {
+        bool holds = true;
+        for (const Grasp& grasp : tool.grasps) holds &= tension_at(grasp.middle()) <= tool.shape.grip_force;
+        if (holds) tool.slipping = false;
         for (std::size_t g = 0; g < tool.grasps.size();) {
             if (slip(tool, tool.grasps[g])) {
                 ++g;
@@ -156,6 +160,7 @@ void World::let_grasps_slip() {
                 tool.grasps.erase(tool.grasps.begin() + static_cast<std::ptrdiff_t>(g));
             }
         }
+    }
 }
 
 }  // namespace scenarios::world

@@ -46,6 +46,15 @@ double World::tension_at(int node) const {
     return std::max(k > 0 ? tension[k - 1] : 0.0, k < tension.size() ? tension[k] : 0.0);
 }
 
+// No thread pulls harder than the jaws that hold it: beyond their grip it slides. The estimate from lag alone knows no
+// such limit.
+double World::weakest_grip() const {
+    double weakest = 0;
+    for (const Tool& tool : tools_)
+        if (!tool.grasps.empty()) weakest = weakest == 0 ? tool.shape.grip_force : std::min(weakest, tool.shape.grip_force);
+    return weakest;
+}
+
 void World::measure(const sim::thread::TickReport& report) {
     const double t = time_s();
     substeps_ += static_cast<std::uint64_t>(report.substeps);
@@ -63,7 +72,7 @@ void World::measure(const sim::thread::TickReport& report) {
     }
     measures_.duration_s = t;
     const auto tension = thread_.tension();
-    tension_now_ = *std::max_element(tension.begin(), tension.end());
+    tension_now_ = std::min(*std::max_element(tension.begin(), tension.end()), weakest_grip());
     raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];

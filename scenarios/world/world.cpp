@@ -26,7 +26,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
         bench_.set_pose(bench_.add_tool(kind), start[i]);
-        tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false});
+        tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false});
         tools_.back().grasps.reserve(16);
     }
     const std::size_t tools = tools_.size();

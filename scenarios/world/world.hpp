@@ -31,6 +31,7 @@ struct Tool {
     ToolInput before, now;       ///< Where the simulated tool was and is; behind `asked` when it must wait.
     std::vector<Grasp> grasps;
     bool closed = false;         ///< Jaws are shut on whatever they hold; with hysteresis.
+    bool slipping = false;       ///< The thread slid between the jaws in the last tick.
 };
 
 /// Worst of the whole session so far; a drill's result quotes them.
@@ -83,6 +84,7 @@ class World {
     bool is_held(int node) const;
     bool slip(Tool& tool, Grasp& grasp);
     double tension_at(int node) const;
+    double weakest_grip() const;
     static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last);
     void log(const char* kind, const std::string& what, double value);
 

@@ -204,7 +204,7 @@ TickReport tick(State& state, const TickInput& input) {
     const auto look_around = [&] { detect(state, 3 * touching); };
     if (motion.most() > 0 || !state.settled) {
         look_around();
-        constexpr int most_substeps = 64, most_refusals = 2;  // what is left after them is lag, not a late tick
+        constexpr int most_substeps = 64, most_refusals = 1;  // what is left after them is lag, not a late tick
         int refusals = 0;
         do {
             if (2 * state.moved > state.reach - touching) look_around();
