@@ -51,7 +51,7 @@ struct Result {
     int contacts_max = 0;
     std::string knot, surgical, throws;               ///< "3_1#m3_1", "square", "1=1".
     std::string state_hash;                           ///< 16 hex digits, after the last tick.
-    Percentiles tick_us;                              ///< Wall clock; the only figures here that differ between runs.
+    Percentiles tick_us;                              ///< Processor time; the only figures here that differ between runs.
     std::string machine;
 };
 

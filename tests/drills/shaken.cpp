@@ -1,0 +1,88 @@
+// Are the drills' motions staged? Each key of a motion is moved by up to 0.05 mm and turned by up to 0.5 degrees, the
+// whole is played at half, full and double pace, and the knot must still come out. One line a run; exit 3 when fewer than
+// 95 of 100 runs are named right, or anything passed through anything.
+//   shaken DRILL NAME FIRST_SEED LAST_SEED
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+#include "app/play/scene.hpp"
+#include "scenarios/drill/motion.hpp"
+
+namespace {
+
+using instruments::ToolInput;
+using scenarios::drill::Motion;
+using sim::geometry::Quat;
+using sim::geometry::Vec3;
+
+constexpr double shake_m = 0.05e-3, shake_rad = 0.5 * 3.14159265358979 / 180;
+
+// Evenly in the ball of radius 1, by rejection: the same numbers with every standard library.
+Vec3 in_ball(std::mt19937& random) {
+    const auto number = [&] { return 2.0 * random() / 4294967295.0 - 1; };
+    for (;;) {
+        const double x = number(), y = number(), z = number();
+        if (x * x + y * y + z * z <= 1) return {x, y, z};
+    }
+}
+
+Motion shaken(const Motion& motion, unsigned seed, double pace) {
+    std::mt19937 random(seed);
+    std::vector<std::vector<scenarios::drill::MotionKey>> keys(motion.keys().begin(), motion.keys().end());
+    for (auto& tool : keys)
+        for (auto& key : tool) {
+            key.t_s /= pace;
+            key.input.pose.position += shake_m * in_ball(random);
+            const Vec3 turn = shake_rad * in_ball(random);
+            key.input.pose.rotation = (Quat(1, turn.x() / 2, turn.y() / 2, turn.z() / 2) * key.input.pose.rotation).normalized();
+        }
+    return Motion(keys);
+}
+
+struct Outcome {
+    bool right;
+    std::uint64_t pass_throughs;
+};
+
+Outcome play(const scenarios::drill::Drill& drill, const Motion& motion, const std::string& name, unsigned seed, double pace) {
+    std::vector<ToolInput> inputs(drill.world.instruments.size());
+    motion.at(0, inputs);
+    auto world = app::make_world(drill.world, app::vessel_meshes(drill.world), inputs);
+    const double tick_s = drill.world.tick_s, settling_s = 0.5;
+    const auto ticks = static_cast<std::uint64_t>((motion.duration() + settling_s) / tick_s);
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        motion.at(static_cast<double>(tick) * tick_s, inputs);
+        world.tick(inputs);
+    }
+    world.name_knot_now();
+    const auto& knot = world.measures().knot;
+    const Outcome outcome{knot.surgical == name && knot.certain, world.measures().pass_throughs};
+    std::printf("seed %2u pace %.1f: %-10s %-8s %-14s pass-throughs %llu, stretch at most %.3f %%, at rest %.3f %%, step/bound %.3f\n",
+                seed, pace, knot.surgical.c_str(), knot.throws.c_str(), knot.knot.c_str(),
+                static_cast<unsigned long long>(outcome.pass_throughs), 100 * world.worst().stretch,
+                100 * world.stretch_now(), world.worst().step_over_bound);
+    std::fflush(stdout);
+    return outcome;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 5) return std::fprintf(stderr, "usage: shaken DRILL NAME FIRST_SEED LAST_SEED\n"), 2;
+    const auto drill = scenarios::drill::load_drill(argv[1]);
+    std::vector<std::string> names;
+    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
+    const Motion motion = scenarios::drill::load_motion(drill.motion, names);
+    int runs = 0, right = 0;
+    std::uint64_t pass_throughs = 0;
+    for (unsigned seed = static_cast<unsigned>(std::atoi(argv[3])); seed <= static_cast<unsigned>(std::atoi(argv[4])); ++seed)
+        for (const double pace : {0.5, 1.0, 2.0}) {
+            const Outcome outcome = play(drill, shaken(motion, seed, pace), argv[2], seed, pace);
+            ++runs;
+            right += outcome.right;
+            pass_throughs += outcome.pass_throughs;
+        }
+    std::printf("%d of %d named %s, %llu pass-throughs\n", right, runs, argv[2], static_cast<unsigned long long>(pass_throughs));
+    return right * 100 >= runs * 95 && pass_throughs == 0 ? 0 : 3;
+}
