@@ -45,7 +45,8 @@ svg .held { fill: var(--curve); } svg .event { fill: var(--ink); }
     --bad: #b34700; --curve: #0b5cad; --fill: #cfe3f6; --shade: #ffffff; }
   @page { margin: 15mm; }
   body { padding: 0; max-width: none; font-size: 10.5pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  .moments { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; } tr, svg { break-inside: avoid; } .scroll { overflow: visible; } svg, table { min-width: 0; }
+  .moments { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; }
+  tr, svg { break-inside: avoid; } .scroll { overflow: visible; } svg, table { min-width: 0; }
 }
 )css";
 
