@@ -15,7 +15,7 @@ packages=(
     libgtest-dev libbenchmark-dev
 )
 
-if ! command -v dpkg-query apt-get > /dev/null; then
+if ! command -v apt-get > /dev/null; then
     echo "packages: not a Debian system; please install the equivalents of: ${packages[*]}" >&2
     exit 0
 fi

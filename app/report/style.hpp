@@ -20,7 +20,7 @@ h2 { font-size: 1.15rem; margin: 2.2rem 0 .6rem; }
 .verdict.fail { border-style: dashed; }
 .tied { margin: .7rem 0 0; } .note { color: var(--faint); margin: .2rem 0 0; font-size: .9rem; }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; width: 100%; min-width: 42rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; vertical-align: top; padding: .4rem .7rem .4rem 0; border-bottom: 1px solid var(--rule); }
 thead th { color: var(--faint); font-weight: 600; font-size: .85rem; }
 tbody th { font-weight: 600; }
@@ -45,7 +45,8 @@ svg .held { fill: var(--curve); } svg .event { fill: var(--ink); }
     --bad: #b34700; --curve: #0b5cad; --fill: #cfe3f6; --shade: #ffffff; }
   @page { margin: 15mm; }
   body { padding: 0; max-width: none; font-size: 10.5pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  h2 { break-after: avoid; } tr, svg { break-inside: avoid; } .scroll { overflow: visible; } svg { min-width: 0; }
+  .moments { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; }
+  tr, svg { break-inside: avoid; } .scroll { overflow: visible; } svg, table { min-width: 0; }
 }
 )css";
 

@@ -199,7 +199,7 @@ std::string timeline_svg(const Result& result, const std::vector<double>& moment
     Sheet sheet(result);
     sheet.add_events();
     sheet.add_strip(
-        "knot", [](const Sample& s) { return s.knot; }, "named");
+        "knot is", [](const Sample& s) { return s.knot; }, "named");
     for (std::size_t i = 0; i < tools.size(); ++i)
         sheet.add_strip(
             tools[i] + " holds",
