@@ -23,6 +23,9 @@ struct Diagram {
     int crossings() const;
 };
 
+/// Where view number `view` looks from: the same every time, spread over the sphere, never along an axis.
+Vec3 view_direction(int view);
+
 /// Shadow of a closed polygon seen along direction number `view` (any number; the same view each time).
 /// Points in general position (see reduce.hpp). Cost: n log n plus pairs that overlap along one axis.
 Diagram project(const std::vector<Vec3>& polygon, int view);

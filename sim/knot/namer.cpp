@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/knot/colour.hpp"
 #include "sim/knot/diagram.hpp"
 #include "sim/knot/homfly.hpp"
 #include "sim/knot/reduce.hpp"
+#include "sim/knot/surgical.hpp"
 #include "sim/knot/table.hpp"
 
 namespace sim::knot {
@@ -16,6 +18,9 @@ namespace {
 constexpr int table_crossings = 10;
 // Skein steps for one factor: a hundred times what a factor of ten crossings takes.
 constexpr int skein_budget = 20000;
+// Beyond these a picture is not simplified, and a factor gets no polynomial: the answer would come too late.
+constexpr int hopeless_crossings = 200, worth_a_try = 20;
+constexpr int ballots = 12;  // Ways out for a buried end.
 constexpr int quick_views = 6, stubborn_views = 60;
 
 int worst_factor(const std::vector<Diagram>& factors) {
@@ -32,7 +37,9 @@ int total(const std::vector<Diagram>& factors) {
 
 // Looks from several sides and keeps the simplest picture; looks longer when none fits the table.
 std::vector<Diagram> simplest_factors(const std::vector<Vec3>& polygon) {
-    std::vector<Diagram> best = split(project(polygon, 0));
+    Diagram first = project(polygon, 0);
+    if (first.crossings() > hopeless_crossings) return {std::move(first)};
+    std::vector<Diagram> best = split(std::move(first));
     for (int view = 1; view < (worst_factor(best) > table_crossings ? stubborn_views : quick_views); ++view) {
         if (total(best) <= 3) break;  // No smaller picture of a knot; fewer than three is none.
         std::vector<Diagram> factors = split(project(polygon, view));
@@ -43,6 +50,10 @@ std::vector<Diagram> simplest_factors(const std::vector<Vec3>& polygon) {
 
 // Adds what one visible factor is. Without a proof the name stays open and its candidates are kept.
 void add_factor(const Diagram& diagram, Name& name, std::vector<std::string>& open) {
+    if (diagram.crossings() > worth_a_try) {
+        name.certain = false;
+        return;
+    }
     const std::optional<Polynomial> polynomial = homfly(diagram, skein_budget);
     if (!polynomial) {
         name.certain = false;
@@ -50,6 +61,10 @@ void add_factor(const Diagram& diagram, Name& name, std::vector<std::string>& op
     }
     std::vector<Entry> types = types_with(*polynomial);
     std::erase_if(types, [&](const Entry& type) { return type.crossings > diagram.crossings(); });
+    if (types.size() > 1 && diagram.crossings() <= table_crossings) {
+        const Colours seen = colours(diagram);  // A rope has no preferred direction: either vector will do.
+        std::erase_if(types, [&](const Entry& type) { return seen != type.colours && seen != type.reverse_colours; });
+    }
     const bool fits = diagram.crossings() <= table_crossings;
     if (types.size() == 1 && (fits || (types.front().factors.empty() && diagram.crossings() <= 12))) {
         for (const Factor& f : types.front().factors) name.factors.push_back(f);
@@ -68,17 +83,55 @@ Name name_closed(const std::vector<Vec3>& polygon) {
     for (const Diagram& factor : factors) add_factor(factor, name, open);
     sort_factors(name.factors);
     name.knot = name.certain ? joined_name(name.factors) : "unknown";
-    if (!name.certain && factors.size() == 1) name.candidates = open;
+    if (!name.certain && factors.size() == 1) std::sort(open.begin(), open.end()), name.candidates = open;
     return name;
+}
+
+// Straight parallel ways out, by vote: an end inside the coils may belong to one knot or another, and only a clear
+// majority is a name.
+Name vote(const std::vector<Vec3>& points) {
+    std::map<std::string, std::pair<int, Name>> votes;
+    for (int view = 0; view < ballots; ++view) {
+        const Vec3 out = view_direction(view);
+        const Name name = name_closed(join_ends(points, out, out));
+        auto& [count, first] = votes[name.knot];
+        if (count++ == 0) first = name;
+    }
+    const auto fewer = [](const auto& a, const auto& b) { return a.second.first < b.second.first; };
+    Name winner = std::max_element(votes.begin(), votes.end(), fewer)->second.second;
+    const int share = votes[winner.knot].first;
+    if (share == ballots) return winner;
+    winner.certain = false;
+    winner.candidates.clear();
+    for (const auto& [knot, count_and_name] : votes) winner.candidates.push_back(knot);
+    if (10 * share < 7 * ballots) winner.knot = "unknown", winner.factors.clear();
+    return winner;
+}
+
+Name name_open(const std::vector<Vec3>& points) {
+    const std::optional<Vec3> first = outward(points, 0), last = outward(points, points.size() - 1);
+    return first && last ? name_closed(join_ends(points, *first, *last)) : vote(points);
+}
+
+// A piece of a rope, for reading only: one way out must do for a buried end.
+Name name_piece(const std::vector<Vec3>& piece) {
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& v : piece) middle += v / static_cast<double>(piece.size());
+    const auto way_out = [&](size_t end) {
+        const std::optional<Vec3> free = outward(piece, end);
+        return free ? *free : (piece[end] - middle).normalized();
+    };
+    return name_closed(join_ends(piece, way_out(0), way_out(piece.size() - 1)));
 }
 
 }  // namespace
 
 Name name_knot(const std::vector<Vec3>& curve, bool closed) {
-    std::vector<Vec3> points = general_position(curve);
+    const std::vector<Vec3> points = general_position(curve);
     if (closed) return name_closed(points);
-    const std::optional<Vec3> first = outward(points, 0), last = outward(points, points.size() - 1);
-    return name_closed(join_ends(points, first.value_or(Vec3::UnitX()), last.value_or(Vec3::UnitX())));
+    Name name = name_open(points);
+    read_throws(points, name_piece, name);
+    return name;
 }
 
 }  // namespace sim::knot

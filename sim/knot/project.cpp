@@ -7,13 +7,11 @@ namespace sim::knot {
 
 namespace {
 
-// Directions spread over the sphere by the golden section in height and a rational walk round it: none is an axis, and
-// no two views share a plane with a grid. No sine is needed: the walk is along the edge of a square, then scaled.
+// Points of a sequence that fills the unit cube evenly (the R3 sequence, Roberts 2018), taken as
+// directions. No sine is needed, and nothing lines up with an axis or a grid.
 Eigen::Matrix3d view_matrix(int view) {
-    const double golden = 0.6180339887498949, plastic = 0.7548776662466927;
-    const double a = std::fmod(0.137 + view * golden, 1.0), b = std::fmod(0.291 + view * plastic, 1.0);
-    const Vec3 z = Vec3(2 * a - 1 + 0.0131, 2 * b - 1 + 0.0177, 0.61 + 0.2 * std::fmod(view * 0.5698402909980532, 1.0))
-                       .normalized();
+    const auto walk = [&](double step) { return 2 * std::fmod(0.5 + (view + 1) * step, 1.0) - 1; };
+    const Vec3 z = Vec3(walk(0.8191725133961645), walk(0.6710436067037893), walk(0.5497004779019703)).normalized();
     const Vec3 x = z.cross(Vec3(0.31, 0.83, -0.47)).normalized();
     Eigen::Matrix3d rows;
     rows << x.transpose(), z.cross(x).transpose(), z.transpose();
@@ -31,6 +29,10 @@ double cross(const Vec3& a, const Vec3& b) {
 }
 
 }  // namespace
+
+Vec3 view_direction(int view) {
+    return view_matrix(view).row(2);
+}
 
 Diagram project(const std::vector<Vec3>& polygon, int view) {
     const int n = static_cast<int>(polygon.size());

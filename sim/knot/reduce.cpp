@@ -44,6 +44,31 @@ bool is_free(const std::vector<Vec3>& p, size_t i) {
     return true;
 }
 
+using Polygon = std::vector<Vec3>;
+
+Polygon cut(const Polygon& polygon, const Vec3& normal) {
+    Polygon kept;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double at_a = normal.dot(a), at_b = normal.dot(b);
+        if (at_a > 0) kept.push_back(a);
+        if ((at_a > 0) != (at_b > 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+    }
+    return kept;
+}
+
+Polygon serving_directions(const std::vector<Vec3>& curve, size_t end, int axis, int side) {
+    Polygon square;
+    for (const auto& [u, w] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+        Vec3 corner;
+        corner[axis] = side, corner[(axis + 1) % 3] = u, corner[(axis + 2) % 3] = w;
+        square.push_back(corner);
+    }
+    for (size_t i = 0; i < curve.size() && !square.empty(); ++i)
+        if (i != end) square = cut(square, curve[end] - curve[i]);
+    return square;
+}
+
 }  // namespace
 
 std::vector<Vec3> general_position(const std::vector<Vec3>& curve) {
@@ -61,23 +86,22 @@ std::vector<Vec3> general_position(const std::vector<Vec3>& curve) {
     return result;
 }
 
-// A perceptron: turn towards whatever lies farthest out. It finds a direction in 1/margin^2 turns, the margin being the
-// sine of the widest one; 400 turns see a margin of 3 degrees, and what is sharper than that counts as buried.
+// A direction d serves if d . (tip - v) > 0 for every other vertex v. On each face of a cube the directions that serve
+// are a square cut by one line a vertex: exact, and no search.
 std::optional<Vec3> outward(const std::vector<Vec3>& curve, size_t end) {
-    const Vec3& tip = curve[end];
-    Vec3 direction = tip;  // The curve lies about the origin.
-    for (int turn = 0; turn < 400; ++turn) {
-        double worst = 1;
-        Vec3 away = direction;
-        for (size_t i = 0; i < curve.size(); ++i) {
-            if (i == end) continue;
-            const Vec3 d = tip - curve[i];
-            if (const double ahead = direction.dot(d); ahead < worst) worst = ahead, away = d;
-        }
-        if (worst > 0) return direction.normalized();
-        direction = direction.normalized() + away.normalized();
+    std::optional<Vec3> best;
+    double best_size = 0;
+    for (int face = 0; face < 6; ++face) {
+        const Polygon polygon = serving_directions(curve, end, face / 2, face % 2 ? -1 : 1);
+        if (polygon.size() < 3) continue;
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& d : polygon) middle += d;
+        middle /= static_cast<double>(polygon.size());
+        double size = 0;
+        for (const Vec3& d : polygon) size = std::max(size, (d - middle).squaredNorm());
+        if (size > best_size) best_size = size, best = middle.normalized();
     }
-    return std::nullopt;
+    return best;
 }
 
 std::vector<Vec3> join_ends(std::vector<Vec3> curve, const Vec3& first, const Vec3& last) {
