@@ -17,6 +17,7 @@ void add_commands(CLI::App& program) {
     add_replay(program);
     add_render(program);
     add_motion(program);
+    add_knot(program);
     add_validate(program);
     add_explain(program);
 }

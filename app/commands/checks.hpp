@@ -11,4 +11,7 @@ void add_validate(CLI::App& program);
 /// `carrel explain DRILL`: effects on and off, their error and cost; defaults filled in.
 void add_explain(CLI::App& program);
 
+/// `carrel knot CURVE...`: names the knots in curves.
+void add_knot(CLI::App& program);
+
 }  // namespace app

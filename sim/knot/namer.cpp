@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/knot/colour.hpp"
 #include "sim/knot/diagram.hpp"
 #include "sim/knot/homfly.hpp"
 #include "sim/knot/reduce.hpp"
@@ -17,6 +18,8 @@ namespace {
 constexpr int table_crossings = 10;
 // Skein steps for one factor: a hundred times what a factor of ten crossings takes.
 constexpr int skein_budget = 20000;
+// Beyond these a picture is not simplified, and a factor gets no polynomial: the answer would come too late.
+constexpr int hopeless_crossings = 200, worth_a_try = 20;
 constexpr int ballots = 12;  // Ways out for a buried end.
 constexpr int quick_views = 6, stubborn_views = 60;
 
@@ -34,7 +37,9 @@ int total(const std::vector<Diagram>& factors) {
 
 // Looks from several sides and keeps the simplest picture; looks longer when none fits the table.
 std::vector<Diagram> simplest_factors(const std::vector<Vec3>& polygon) {
-    std::vector<Diagram> best = split(project(polygon, 0));
+    Diagram first = project(polygon, 0);
+    if (first.crossings() > hopeless_crossings) return {std::move(first)};
+    std::vector<Diagram> best = split(std::move(first));
     for (int view = 1; view < (worst_factor(best) > table_crossings ? stubborn_views : quick_views); ++view) {
         if (total(best) <= 3) break;  // No smaller picture of a knot; fewer than three is none.
         std::vector<Diagram> factors = split(project(polygon, view));
@@ -45,6 +50,10 @@ std::vector<Diagram> simplest_factors(const std::vector<Vec3>& polygon) {
 
 // Adds what one visible factor is. Without a proof the name stays open and its candidates are kept.
 void add_factor(const Diagram& diagram, Name& name, std::vector<std::string>& open) {
+    if (diagram.crossings() > worth_a_try) {
+        name.certain = false;
+        return;
+    }
     const std::optional<Polynomial> polynomial = homfly(diagram, skein_budget);
     if (!polynomial) {
         name.certain = false;
@@ -52,6 +61,10 @@ void add_factor(const Diagram& diagram, Name& name, std::vector<std::string>& op
     }
     std::vector<Entry> types = types_with(*polynomial);
     std::erase_if(types, [&](const Entry& type) { return type.crossings > diagram.crossings(); });
+    if (types.size() > 1 && diagram.crossings() <= table_crossings) {
+        const Colours seen = colours(diagram);  // A rope has no preferred direction: either vector will do.
+        std::erase_if(types, [&](const Entry& type) { return seen != type.colours && seen != type.reverse_colours; });
+    }
     const bool fits = diagram.crossings() <= table_crossings;
     if (types.size() == 1 && (fits || (types.front().factors.empty() && diagram.crossings() <= 12))) {
         for (const Factor& f : types.front().factors) name.factors.push_back(f);
@@ -70,7 +83,7 @@ Name name_closed(const std::vector<Vec3>& polygon) {
     for (const Diagram& factor : factors) add_factor(factor, name, open);
     sort_factors(name.factors);
     name.knot = name.certain ? joined_name(name.factors) : "unknown";
-    if (!name.certain && factors.size() == 1) name.candidates = open;
+    if (!name.certain && factors.size() == 1) std::sort(open.begin(), open.end()), name.candidates = open;
     return name;
 }
 

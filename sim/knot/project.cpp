@@ -30,7 +30,9 @@ double cross(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Vec3 view_direction(int view) { return view_matrix(view).row(2); }
+Vec3 view_direction(int view) {
+    return view_matrix(view).row(2);
+}
 
 Diagram project(const std::vector<Vec3>& polygon, int view) {
     const int n = static_cast<int>(polygon.size());

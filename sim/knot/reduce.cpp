@@ -86,8 +86,8 @@ std::vector<Vec3> general_position(const std::vector<Vec3>& curve) {
     return result;
 }
 
-// A direction d serves if d . (tip - v) > 0 for every other vertex v. On each face of a cube the directions that serve are
-// a square cut by one line a vertex: exact, and no search.
+// A direction d serves if d . (tip - v) > 0 for every other vertex v. On each face of a cube the directions that serve
+// are a square cut by one line a vertex: exact, and no search.
 std::optional<Vec3> outward(const std::vector<Vec3>& curve, size_t end) {
     std::optional<Vec3> best;
     double best_size = 0;

@@ -15,7 +15,7 @@ using NamePart = std::function<Name(const std::vector<Vec3>&)>;
 
 constexpr size_t most_throws = 5;  // 120 orders to weigh; nobody ties more.
 constexpr int growth_steps = 24;   // Pieces looked at between the loop and the whole knot.
-constexpr int cuts = 8;            // Places where an end is cut back to find a slip knot.
+constexpr size_t cuts = 20;        // Places where an end is cut back to find a slip knot.
 constexpr int smallest_knot = 3;   // Crossings.
 
 Factor as_factor(int turns, bool right_handed) {
@@ -42,7 +42,8 @@ std::vector<Vec3> piece(const std::vector<Vec3>& curve, size_t from, size_t to) 
 }
 
 // The knot's own stretch: cut each end back as far as the whole type remains.
-std::pair<size_t, size_t> extent_of(const std::vector<Vec3>& curve, const NamePart& name_part, const std::string& knot) {
+std::pair<size_t, size_t> extent_of(const std::vector<Vec3>& curve, const NamePart& name_part,
+                                    const std::string& knot) {
     const size_t n = curve.size();
     size_t from = 0, beyond = n - 2;
     while (beyond - from > 1) {
@@ -81,7 +82,8 @@ std::map<std::string, std::vector<Throws>> orders(Throws throws) {
     return result;
 }
 
-std::string order_seen(const std::map<std::string, std::vector<Throws>>& possible, const std::map<std::string, int>& met) {
+std::string order_seen(const std::map<std::string, std::vector<Throws>>& possible,
+                       const std::map<std::string, int>& met) {
     std::string best;
     int best_score = -1, second_score = -1;
     for (const auto& [text, readings] : possible) {
@@ -149,8 +151,8 @@ void read_throws(const std::vector<Vec3>& curve, const std::function<Name(const 
     const auto possible = orders(throws);
     name.throws =
         possible.size() == 1 ? possible.begin()->first : order_seen(possible, grow(curve, name_part, name.knot));
-    static const std::map<std::string, std::string> names = {{"1", "overhand"},   {"2", "double"},
-                                                             {"1=1", "square"},   {"1x1", "granny"},
+    static const std::map<std::string, std::string> names = {{"1", "overhand"},    {"2", "double"},
+                                                             {"1=1", "square"},    {"1x1", "granny"},
                                                              {"2=1", "surgeon's"}, {"1=2", "reversed surgeon's"}};
     if (const auto known = names.find(name.throws); known != names.end()) name.surgical = known->second;
 }

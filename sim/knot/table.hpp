@@ -2,12 +2,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/knot/colour.hpp"
 #include "sim/knot/homfly.hpp"
 
 namespace sim::knot {
-
-/// Numbers of representations by the image of the longitude; see colour.hpp.
-using Colours = std::vector<int>;
 
 /// A type of at most 10 crossings, prime or composite.
 struct Entry {

@@ -29,10 +29,10 @@ static double mobility(const State& state, int link, double place) {
     return state.inverse_mass[at(link)] * (1 - place) * (1 - place) + state.inverse_mass[at(link + 1)] * place * place;
 }
 
-// What passes stop for: strands into each other by a fiftieth of the thread's thickness, thread into steel or a wall by a
+// What passes stop for: strands into each other by a thirtieth of the thread's thickness, thread into steel or a wall by a
 // tenth of it, both out of sight.
 static double over_goal(const State& state, const Contact& c, double distance) {
-    const double goal = (c.against == Against::thread ? 0.02 : 0.1) * 2 * state.def.radius;
+    const double goal = (c.against == Against::thread ? 0.03 : 0.1) * 2 * state.def.radius;
     return std::max(0.0, (c.target - distance) / goal);
 }
 

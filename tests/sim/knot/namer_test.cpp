@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 
 namespace sim::knot {
@@ -25,7 +29,7 @@ std::vector<Vec3> read_curve(const std::string& file) {
 // "4_1#3_1" and "m4_1#3_1" are one type: the labels' own spelling of it.
 struct Labelled {
     std::string file, canonical, surgical;
-    bool closed = false, flat = false;
+    bool closed = false, flat = false, amphichiral = false;
 };
 
 std::vector<Labelled> labelled_knots() {
@@ -48,6 +52,11 @@ class LabelledCurve : public testing::TestWithParam<Labelled> {};
 // Ropes smooth, crumpled, tight, on a lattice, with repeated vertices: each must get exactly its own name.
 TEST_P(LabelledCurve, GetsItsName) {
     const Name name = name_knot(read_curve(GetParam().file), GetParam().closed);
+    if (GetParam().canonical == "10_48") {  // Its two hands share every invariant we compute.
+        EXPECT_FALSE(name.certain);
+        EXPECT_EQ(name.candidates, (std::vector<std::string>{"10_48", "m10_48"}));
+        return;
+    }
     EXPECT_EQ(name.knot, GetParam().canonical) << "left: " << name.crossings_reduced;
     EXPECT_TRUE(name.certain);
     if (GetParam().flat) {
@@ -72,6 +81,91 @@ TEST(SurgicalReading, OrderIsReadFromTheLoopOutwards) {
     EXPECT_EQ(name_knot(read_curve("p105.xyz")).surgical, "granny");
     EXPECT_EQ(name_knot(read_curve("p100.xyz")).surgical, "overhand");
     EXPECT_EQ(name_knot(read_curve("p102.xyz")).surgical, "double");
+}
+
+using Curve = std::vector<Vec3>;
+
+// The torus knot T(2,3) wound so that the signs of its three crossings, summed over all edge pairs apart from this code, are +3:
+// (over x under).z > 0. A sign slip anywhere in the pipeline names it m3_1.
+Curve right_handed_trefoil() {
+    Curve curve;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 2 * EIGEN_PI * i / 60;
+        curve.emplace_back(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), std::sin(3 * t));
+    }
+    return curve;
+}
+
+Curve mapped(Curve curve, const std::function<Vec3(const Vec3&)>& map) {
+    for (Vec3& v : curve) v = map(v);
+    return curve;
+}
+
+TEST(Laws, HandednessIsThatOfTheHandCheckedTrefoil) {
+    const Curve trefoil = right_handed_trefoil();
+    const Curve other = mapped(trefoil, [](const Vec3& v) { return Vec3(v.x(), v.y(), -v.z()); });
+    EXPECT_EQ(name_knot(trefoil, true).knot, "3_1");
+    EXPECT_EQ(name_knot(other, true).knot, "m3_1");
+}
+
+// A camera or a patient may stand anywhere: turned, moved, scaled and travelled backwards a knot keeps its name.
+TEST(Laws, NamesDoNotDependOnTheFrameOrTheDirection) {
+    for (const char* file : {"p103.xyz", "p105.xyz", "p109.xyz", "p117.xyz", "p126.xyz"}) {
+        const Curve curve = read_curve(file);
+        const Name name = name_knot(curve);
+        for (unsigned seed = 0; seed < 30; ++seed) {
+            SCOPED_TRACE(std::string(file) + " seed " + std::to_string(seed));
+            std::mt19937 random(seed);
+            std::normal_distribution<double> normal;
+            const geometry::Quat turn =
+                geometry::Quat(normal(random), normal(random), normal(random), normal(random)).normalized();
+            Curve moved = mapped(curve, [&](const Vec3& v) { return Vec3(1e-3 * (turn * v) + Vec3(7, -3, 0.2)); });
+            if (seed % 2) std::reverse(moved.begin(), moved.end());
+            const Name again = name_knot(moved);
+            EXPECT_EQ(again.knot, name.knot);
+            EXPECT_EQ(again.throws, name.throws);
+            EXPECT_EQ(again.surgical, name.surgical);
+        }
+    }
+}
+
+// Vertices in line and vertices twice are where triangles have no area; a finer thread is the same thread.
+TEST(Laws, SubdivisionAndRepetitionChangeNothing) {
+    for (const Labelled& label : labelled_knots()) {
+        SCOPED_TRACE(label.file);
+        const Curve curve = read_curve(label.file);
+        Curve finer;
+        for (size_t i = 0; i + 1 < curve.size(); ++i)
+            for (const double t : {0.0, 0.0, 0.5}) finer.push_back(curve[i] + t * (curve[i + 1] - curve[i]));
+        finer.push_back(curve.back());
+        EXPECT_EQ(name_knot(finer, label.closed).knot, name_knot(curve, label.closed).knot);
+    }
+}
+
+// Curves as simple as curves get: nothing to reduce, nothing to see, and no place for an index to go wrong.
+TEST(Namer, TheSmallestCurvesAreUnknotted) {
+    EXPECT_EQ(name_knot({Vec3(0, 0, 0), Vec3(1, 0, 0)}).knot, "0_1");
+    EXPECT_EQ(name_knot({Vec3(0, 0, 0), Vec3(0, 0, 0)}).knot, "0_1");
+    EXPECT_EQ(name_knot({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, true).knot, "0_1");
+    EXPECT_EQ(name_knot({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(5, 0, 0)}).knot, "0_1");
+}
+
+// An end inside the coils has no type of its own: a bare name would be a guess.
+TEST(Namer, BuriedEndsAreNamedAsACandidateOnly) {
+    for (const char* file : {"p154.xyz", "p155.xyz"}) {
+        const Name name = name_knot(read_curve(file));
+        EXPECT_FALSE(name.certain) << file;
+        EXPECT_GT(name.candidates.size(), 1u) << file;
+    }
+}
+
+// A ball of wool must not stop the simulation, whatever it is called.
+TEST(Namer, ATangleIsAnsweredAndNeverWithASmallName) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(0, 1);
+    Curve tangle;
+    for (int i = 0; i < 300; ++i) tangle.emplace_back(place(random), place(random), place(random));
+    EXPECT_EQ(name_knot(tangle, true).knot, "unknown");
 }
 
 }  // namespace
