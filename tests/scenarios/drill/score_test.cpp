@@ -18,6 +18,7 @@ world::Measures good() {
     m.knot.throws = "1=1";
     m.knot_since_s = 12.5;
     m.tail_mm = {7.5, 4};
+    m.around = {"carotid"};
     m.duration_s = 30;
     m.path_mm = {400, 800};
     m.grasps = {2, 3};
