@@ -14,6 +14,7 @@ std::function<int()>& chosen_command() {
 void add_commands(CLI::App& program) {
     add_validate(program);
     add_explain(program);
+    add_rope(program);
 }
 
 }  // namespace app
