@@ -20,6 +20,7 @@ void add_commands(CLI::App& program) {
     add_knot(program);
     add_validate(program);
     add_explain(program);
+    add_rope(program);
 }
 
 }  // namespace app

@@ -41,6 +41,7 @@ struct Reader {
         std::error_code ignored;
         if (!std::filesystem::exists(file, ignored)) fail("no such file");
         if (std::filesystem::is_directory(file, ignored)) fail("is a directory, a .obj, .ply or .stl file is needed");
+        if (!std::filesystem::is_regular_file(file, ignored)) fail("is no file, a .obj, .ply or .stl file is needed");
         std::string type = file.extension().string();
         std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
         if (type != ".obj" && type != ".ply" && type != ".stl")

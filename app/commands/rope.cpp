@@ -1,0 +1,231 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/commands.hpp"
+#include "app/commands/checks.hpp"
+#include "app/fault.hpp"
+#include "app/rope/run.hpp"
+#include "assets/curve.hpp"
+#include "assets/mesh.hpp"
+#include "sim/knot/namer.hpp"
+
+namespace app {
+
+namespace {
+
+using nlohmann::ordered_json;
+using sim::geometry::TriangleTree;
+using sim::geometry::Vec3;
+
+constexpr int most_links = 100000;  // a metre of the finest thread in links of its own thickness
+constexpr double most_ticks = 1e7;  // nearly three hours of the default tick
+
+struct Options {
+    std::string curve, motion, out, obstacle, thread = "ftl";
+    double radius_mm = 0.05, friction = 0.15, tick_s = 0.001, young_MPa = 2800, density_kg_m3 = 905;
+    std::int64_t links = 0, every = 1;
+    bool gravity = false, json = false;
+};
+
+[[noreturn]] void fail(const std::string& place, const std::string& what) {
+    throw InputFault(place + ": error: " + what);
+}
+
+void check_range(const char* option, double value, double low, double high, const char* unit) {
+    if (value >= low && value <= high) return;  // false for nan
+    std::ostringstream what;
+    what << "expected " << low << " to " << high << unit << ", found " << value;
+    fail(option, what.str());
+}
+
+void check(const Options& o) {
+    if (o.thread == "elastic") fail("--thread", "the elastic thread is not available yet, expected ftl");
+    if (o.thread != "ftl") fail("--thread", "expected ftl, found " + o.thread);
+    if (o.gravity) fail("--gravity", "is not available yet: it needs the elastic thread");
+    check_range("--radius", o.radius_mm, 1e-3, 100, " mm");
+    check_range("--friction", o.friction, 0, 10, "");
+    check_range("--tick", o.tick_s, 1e-6, 1, " s");
+    check_range("--young", o.young_MPa, 1e-3, 1e6, " MPa");
+    check_range("--density", o.density_kg_m3, 1, 1e5, " kg/m^3");
+    check_range("--every", static_cast<double>(o.every), 1, most_ticks, " ticks");
+    if (o.links != 0 && !(o.links >= 1 && o.links <= most_links))
+        fail(o.curve, "--links: expected 1 to " + std::to_string(most_links) + ", found " + std::to_string(o.links));
+}
+
+std::vector<Vec3> read_curve(const std::string& file) try {
+    const std::vector<assets::Curve> curves = assets::load_curves(file);
+    if (curves.size() != 1) fail(file, "expected one curve, found " + std::to_string(curves.size()));
+    if (curves[0].closed) fail(file, "expected an open curve, its last vertex is its first");
+    const std::vector<Vec3>& nodes = curves[0].vertices;
+    if (nodes.size() > most_links + 1)
+        fail(file,
+             "expected at most " + std::to_string(most_links + 1) + " vertices, found " + std::to_string(nodes.size()));
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+        if (nodes[i] == nodes[i + 1])
+            fail(file, "vertices " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same place");
+    for (const Vec3& p : nodes)
+        if (p.cwiseAbs().maxCoeff() > 10) fail(file, "expected coordinates within 10000 mm");
+    return nodes;
+} catch (const assets::AssetError& error) {
+    throw InputFault(error.what());
+}
+
+TriangleTree read_obstacle(const std::string& file) try {
+    return TriangleTree(assets::load_mesh(file).soup());
+} catch (const assets::AssetError& error) {
+    throw InputFault(error.what());
+}
+
+// The motion names nodes of the curve as it was given; after resampling it holds those at the same place along it.
+void resample(rope::Experiment& experiment, int links, const std::string& motion_file) {
+    const std::vector<Vec3>& given = experiment.nodes;
+    std::vector<double> passed{0};
+    for (std::size_t i = 0; i + 1 < given.size(); ++i)
+        passed.push_back(passed.back() + (given[i + 1] - given[i]).norm());
+    int previous = -1;
+    for (rope::HeldNode& held : experiment.motion) {
+        const int given_node = held.node;
+        held.node = static_cast<int>(std::lround(passed[static_cast<std::size_t>(given_node)] / passed.back() * links));
+        if (held.node == previous)
+            fail(motion_file, "node " + std::to_string(given_node) + " and the one before fall together with --links " +
+                                  std::to_string(links) + ", expected more links");
+        previous = held.node;
+    }
+    experiment.nodes = sim::thread::resample(given, links);
+}
+
+rope::Experiment read(const Options& options) {
+    rope::Experiment experiment;
+    const double radius = options.radius_mm / 1000;
+    experiment.thread = {.radius = radius,
+                         .friction = options.friction,
+                         .friction_tool = options.friction,
+                         .axial_stiffness = options.young_MPa * 1e6 * std::numbers::pi * radius * radius};
+    experiment.nodes = read_curve(options.curve);
+    experiment.motion = rope::load_motion(options.motion, static_cast<int>(experiment.nodes.size()));
+    if (options.links > 0) resample(experiment, static_cast<int>(options.links), options.motion);
+    experiment.tick = options.tick_s;
+    experiment.every = static_cast<int>(options.every);
+    const double ticks = rope::ticks_of(experiment);
+    if (!(ticks >= 1 && ticks <= most_ticks))
+        fail(options.motion, "takes " + std::to_string(static_cast<long>(ticks)) + " ticks, expected 1 to " +
+                                 std::to_string(static_cast<long>(most_ticks)));
+    return experiment;
+}
+
+bool both_ends_held_throughout(const rope::Experiment& experiment) {
+    const double end = rope::ticks_of(experiment) * experiment.tick, tick = experiment.tick;
+    const auto throughout = [&](int node) {
+        return std::any_of(experiment.motion.begin(), experiment.motion.end(), [&](const rope::HeldNode& held) {
+            return held.node == node && held.keys.front().t <= tick && held.keys.back().t >= end - tick;
+        });
+    };
+    return throughout(0) && throughout(static_cast<int>(experiment.nodes.size()) - 1);
+}
+
+struct Knots {
+    sim::knot::Name before, after;
+    bool changed() const { return before.certain && after.certain && before.knot != after.knot; }
+};
+
+Knots name_knots(const rope::Experiment& experiment, const rope::Measured& measured) {
+    return {sim::knot::name_knot(experiment.nodes), sim::knot::name_knot(measured.nodes)};
+}
+
+std::string hex(std::uint64_t value) {
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+ordered_json answer(const Options& options, const rope::Experiment& experiment, const rope::Measured& m,
+                    const Knots& knots) {
+    const auto percentile = [&](double share) {
+        return m.tick_us[static_cast<std::size_t>(share * static_cast<double>(m.tick_us.size() - 1))];
+    };
+    const bool any_near = m.separation_min < 1e300;
+    return {{"thread", options.thread},
+            {"links", experiment.nodes.size() - 1},
+            {"ticks", m.ticks},
+            {"substeps", m.substeps},
+            {"tick_us", {{"p50", percentile(0.5)}, {"p99", percentile(0.99)}, {"max", m.tick_us.back()}}},
+            {"stretch", {{"max", m.stretch_max}, {"settled", m.stretch_settled}, {"total", m.stretch_total}}},
+            {"separation", {{"min", any_near ? ordered_json(m.separation_min) : ordered_json(nullptr)}}},
+            {"node_step", {{"max_over_bound", m.step_over_bound}}},
+            {"pass_throughs", m.pass_throughs},
+            {"tool_lag_mm", {{"max", m.lag_max * 1000}, {"final", m.lag_final * 1000}}},
+            {"tension_N", {{"max", m.tension_max}}},
+            {"knot", {{"before", knots.before.knot}, {"after", knots.after.knot}}},
+            {"contacts", {{"max", m.contacts_max}}},
+            {"state_hash", hex(m.hash)}};
+}
+
+void print(const ordered_json& a) {
+    std::cout << a["links"] << " links, " << a["ticks"] << " ticks of " << a["tick_us"]["p50"] << " us (p50), "
+              << a["tick_us"]["p99"] << " us (p99)\n"
+              << "knot " << a["knot"]["before"].get<std::string>() << " -> " << a["knot"]["after"].get<std::string>()
+              << ", pass-throughs " << a["pass_throughs"] << ", stretch at most " << a["stretch"]["max"] << '\n'
+              << "tools behind by " << a["tool_lag_mm"]["max"] << " mm at most, tension at most "
+              << a["tension_N"]["max"] << " N\nstate " << a["state_hash"].get<std::string>() << '\n';
+}
+
+int rope_command(const Options& options) {
+    check(options);
+    rope::Experiment experiment = read(options);
+    std::unique_ptr<TriangleTree> obstacle;
+    if (!options.obstacle.empty()) obstacle = std::make_unique<TriangleTree>(read_obstacle(options.obstacle));
+    experiment.obstacle = obstacle.get();
+    std::ofstream positions;
+    if (!options.out.empty()) {
+        positions.open(options.out, std::ios::binary);
+        if (!positions) fail(options.out, "cannot be written");
+        experiment.positions = &positions;
+    }
+    const rope::Measured measured = rope::run(experiment);
+    if (!options.out.empty()) {
+        positions.close();
+        if (!positions) throw std::runtime_error(options.out + ": could not be written to its end");
+    }
+
+    const Knots knots = name_knots(experiment, measured);
+    const ordered_json report = answer(options, experiment, measured, knots);
+    options.json ? void(std::cout << report.dump(2) << '\n') : print(report);
+    if (measured.pass_throughs > 0)
+        throw CheckFailed(options.curve + ": the thread passed through something, see pass_throughs");
+    if (knots.changed() && both_ends_held_throughout(experiment))
+        throw CheckFailed(options.curve + ": the knot changed from " + knots.before.knot + " to " + knots.after.knot +
+                          " while both ends were held");
+    return 0;
+}
+
+}  // namespace
+
+void add_rope(CLI::App& program) {
+    auto* command = program.add_subcommand("rope", "Thread laboratory: one bare thread, moved by its nodes");
+    auto o = std::make_shared<Options>();
+    command->add_option("CURVE", o->curve, "The thread as it starts: one open curve, x y z in mm a line")->required();
+    command->add_option("--motion", o->motion, "Held nodes: t_s,node,x_mm,y_mm,z_mm; node is first, last or an index")
+        ->required();
+    command->add_option("--radius", o->radius_mm, "Of the thread [mm]")->capture_default_str();
+    command->add_option("--links", o->links, "Resample the curve to this many equal links (default: as given)");
+    command->add_option("--thread", o->thread, "How the thread is simulated")->capture_default_str();
+    command->add_option("--friction", o->friction, "Coulomb coefficient")->capture_default_str();
+    command->add_option("--tick", o->tick_s, "[s]")->capture_default_str();
+    command->add_option("--young", o->young_MPa, "Young's modulus [MPa]; here it scales the tension")
+        ->capture_default_str();
+    command->add_option("--density", o->density_kg_m3, "[kg/m^3]; of no effect on a thread without inertia")
+        ->capture_default_str();
+    command->add_flag("--gravity", o->gravity, "Let the thread weigh");
+    command->add_option("--obstacle", o->obstacle, "Mesh that stands still (.obj, .ply, .stl in mm)");
+    command->add_option("--every", o->every, "Write positions to --out every N ticks")->capture_default_str();
+    command->add_option("--out", o->out, "Positions, one JSON line each: t [s], x [mm], tension_N");
+    command->add_flag("--json", o->json, "One JSON object on stdout");
+    command->callback([o] { chosen_command() = [o] { return rope_command(*o); }; });
+}
+
+}  // namespace app

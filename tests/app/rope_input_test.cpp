@@ -1,0 +1,270 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+// Every command is given what disks, hurried people and other programs leave behind, through the real program. A crash, a
+// hang, a page of text or a line that does not name the file would leave a user with nothing to go on. To cover another
+// command, add its lines to `cases()`.
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory of its own for a test, removed with everything in it.
+class Folder {
+  public:
+    Folder() {
+        std::string name = (fs::temp_directory_path() / "carrel-bad-input-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
+        path_ = name;
+    }
+    ~Folder() { fs::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(path_ / name, std::ios::binary) << bytes;
+        return (path_ / name).string();
+    }
+    std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+  private:
+    fs::path path_;
+};
+
+struct Ending {
+    bool in_time = true;
+    int signal = 0, exit = -1;
+    std::string said;  ///< On stderr.
+};
+
+std::string read(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Runs the program; ends it when it takes longer than a person waits for an error message.
+Ending run(const Folder& folder, std::vector<std::string> arguments) {
+    constexpr auto patience = std::chrono::seconds(10);
+    const std::string errors = folder.path("stderr");
+    arguments.insert(arguments.begin(), CARREL_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    pid_t child = 0;
+    const int spawned = posix_spawn(&child, CARREL_PROGRAM, &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (spawned != 0) throw std::runtime_error("cannot start " CARREL_PROGRAM);
+
+    Ending ending;
+    int status = 0;
+    const auto start = std::chrono::steady_clock::now();
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (std::chrono::steady_clock::now() - start > patience) {
+            ending.in_time = false;
+            kill(child, SIGKILL);
+            waitpid(child, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
+    if (WIFEXITED(status)) ending.exit = WEXITSTATUS(status);
+    ending.said = read(errors);
+    return ending;
+}
+
+std::string junk(unsigned seed, std::size_t size) {
+    std::mt19937 random(seed);
+    std::string bytes;
+    while (bytes.size() < size) bytes += static_cast<char>(random());
+    return bytes;
+}
+
+const std::string curve = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
+const std::string header = "t_s,node,x_mm,y_mm,z_mm\n";
+const std::string motion = header + "0,first,0,0,0\n0.01,first,-1,0,0\n";
+
+/// What is in the files and how the program is called; "@name" stands for the path of that file in the test's folder.
+struct Case {
+    std::string what;
+    std::vector<std::string> call;
+    std::string blamed;  ///< The file that the line must name.
+    std::vector<std::pair<std::string, std::string>> files;
+};
+
+// Broken in ways that any reader of any format meets.
+std::vector<std::pair<std::string, std::string>> broken_bytes() {
+    return {{"empty", ""},
+            {"blank", "\n \n\t\n"},
+            {"nul bytes", std::string(1000, '\0')},
+            {"binary junk", junk(1, 5000)},
+            {"more junk", junk(2, 200000)},
+            {"one long line", std::string(1000000, '7')},
+            {"cut UTF-8", "\xc3"},
+            {"a picture", "\x89PNG\r\n\x1a\n" + junk(3, 500)}};
+}
+
+// The three places of a command line where a file stands, with good ones beside it.
+void add_everywhere(std::vector<Case>& cases, const std::string& what, const std::string& bytes) {
+    cases.push_back({"rope, curve: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "c.csv", {{"c.csv", bytes}, {"m.csv", motion}}});
+    cases.push_back({"rope, motion: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "m.csv", {{"c.csv", curve}, {"m.csv", bytes}}});
+    cases.push_back({"rope, obstacle: " + what,
+                     {"rope", "@c.csv", "--motion", "@m.csv", "--obstacle", "@o.obj"},
+                     "o.obj",
+                     {{"c.csv", curve}, {"m.csv", motion}, {"o.obj", bytes}}});
+    for (const std::string command : {"validate", "explain"})
+        cases.push_back({command + ": " + what, {command, "@d.json"}, "d.json", {{"d.json", bytes}}});
+}
+
+std::vector<Case> rope_cases() {
+    std::vector<Case> cases;
+    const auto with_curve = [&](const std::string& what, const std::string& text) {
+        cases.push_back({"rope, curve: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "c.csv", {{"c.csv", text}, {"m.csv", motion}}});
+    };
+    with_curve("one vertex", "1 2 3\n");
+    with_curve("NaN", "0 0 0\nnan 0 0\n");
+    with_curve("infinite", "0 0 0\n1e999 0 0\n");
+    with_curve("two numbers", "0 0 0\n1 2\n");
+    with_curve("four numbers", "0 0 0\n1 2 3 4\n");
+    with_curve("words", "0 0 0\none two three\n");
+    with_curve("the same vertex twice", "0 0 0\n1 0 0\n1 0 0\n2 0 0\n");
+    with_curve("all in one place", "1 1 1\n1 1 1\n");
+    with_curve("two curves", curve + "\n" + curve);
+    with_curve("closed", "0 0 0\n1 0 0\n1 1 0\n0 0 0\n");
+    with_curve("in another galaxy", "0 0 0\n1e300 0 0\n");
+
+    const auto with_motion = [&](const std::string& what, const std::string& text) {
+        cases.push_back({"rope, motion: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "m.csv", {{"c.csv", curve}, {"m.csv", text}}});
+    };
+    with_motion("header alone", header);
+    with_motion("no header", "0,first,0,0,0\n");
+    with_motion("cut in a row", motion.substr(0, motion.size() - 5));
+    with_motion("a column too many", header + "0,first,0,0,0,0\n");
+    with_motion("NaN", header + "0,first,nan,0,0\n");
+    with_motion("infinite", header + "0,first,0,0,inf\n");
+    with_motion("time is NaN", header + "nan,first,0,0,0\n");
+    with_motion("a negative time", header + "-1,first,0,0,0\n");
+    with_motion("time going back", header + "1,first,0,0,0\n0.5,first,0,0,0\n");
+    with_motion("one time twice under two names", header + "1,first,0,0,0\n1,0,1,0,0\n");
+    with_motion("a node beyond the last", header + "0,4,0,0,0\n");
+    with_motion("a negative node", header + "0,-1,0,0,0\n");
+    with_motion("an unknown name of a node", header + "0,middle,0,0,0\n");
+    with_motion("ends before it begins", header + "0,first,0,0,0\n");
+    with_motion("escape characters", header + "0,\x1b[31m\r\x07,0,0,0\n");
+    with_motion("a year", header + "0,first,0,0,0\n31536000,first,1,0,0\n");
+
+    const auto with_options = [&](const std::string& what, const std::string& blamed, std::vector<std::string> options) {
+        options.insert(options.begin(), {"rope", "@c.csv", "--motion", "@m.csv"});
+        cases.push_back({"rope: " + what, options, blamed, {{"c.csv", curve}, {"m.csv", motion}}});
+    };
+    with_options("a billion links", "c.csv", {"--links", "1000000000"});
+    with_options("no links", "c.csv", {"--links", "-1"});
+    with_options("shorter than a tick", "--tick", {"--tick", "1e9"});
+    with_options("radius is NaN", "--radius", {"--radius", "nan"});
+    with_options("radius of nothing", "--radius", {"--radius", "0"});
+    with_options("negative friction", "--friction", {"--friction", "-0.1"});
+    with_options("tick of nothing", "--tick", {"--tick", "0"});
+    with_options("every zero ticks", "--every", {"--every", "0"});
+    with_options("a thread that is not there", "--thread", {"--thread", "elastic"});
+    with_options("an unknown thread", "--thread", {"--thread", "wool"});
+    with_options("gravity", "--gravity", {"--gravity"});
+    with_options("positions into a folder that is not there", "nowhere", {"--out", "@nowhere/x.jsonl"});
+    with_options("an obstacle of another kind", "m.csv", {"--obstacle", "@m.csv"});
+    return cases;
+}
+
+std::vector<Case> drill_cases() {
+    std::vector<Case> cases;
+    for (const std::string command : {"validate", "explain"}) {
+        const auto with = [&](const std::string& what, const std::string& text) {
+            cases.push_back({command + ": " + what, {command, "@d.json"}, "d.json", {{"d.json", text}}});
+        };
+        with("cut in the middle", R"({"carrel_drill": 1, "title": "Squa)");
+        with("NaN", R"({"carrel_drill": 1, "title": "x", "thread": {"size": "6-0", "length_mm": NaN}})");
+        with("a billion links", R"({"carrel_drill": 1, "title": "x", "thread": {"size": "6-0", "length_mm": 150, "links": 1e9}})");
+        with("an unknown key", R"({"carrel_drill": 1, "titel": "x"})");
+        with("a later version", R"({"carrel_drill": 1000000})");
+        with("a million brackets", std::string(1000000, '['));
+    }
+    return cases;
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all = rope_cases();
+    for (const Case& c : drill_cases()) all.push_back(c);
+    for (const auto& [what, bytes] : broken_bytes()) add_everywhere(all, what, bytes);
+    return all;
+}
+
+void expect_one_line_naming(const std::string& file, const Ending& ending) {
+    EXPECT_TRUE(ending.in_time) << "still running after 10 s";
+    EXPECT_EQ(ending.signal, 0);
+    EXPECT_EQ(ending.exit, 2);
+    EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said.substr(0, 2000);
+    EXPECT_TRUE(ending.said.ends_with('\n'));
+    EXPECT_NE(ending.said.find(file), std::string::npos) << ending.said.substr(0, 2000);
+    EXPECT_LT(ending.said.size(), 1000u);
+    const auto breaks_a_terminal = [](unsigned char c) { return c < ' ' && c != '\n'; };
+    EXPECT_TRUE(std::none_of(ending.said.begin(), ending.said.end(), breaks_a_terminal)) << ending.said;
+}
+
+std::vector<std::string> placed(std::vector<std::string> call, const Folder& folder) {
+    for (std::string& argument : call)
+        if (argument.starts_with('@')) argument = folder.path(argument.substr(1));
+    return call;
+}
+
+TEST(BadInput, ABrokenFileGetsOneLineThatNamesIt) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.what);
+        const Folder folder;
+        for (const auto& [name, bytes] : c.files) folder.write(name, bytes);
+        expect_one_line_naming(c.blamed, run(folder, placed(c.call, folder)));
+    }
+}
+
+// Paths that are no files: someone drags the folder in, mistypes a name, or gives a device that never ends.
+TEST(BadInput, APathThatIsNoFileGetsOneLineThatNamesIt) {
+    std::vector<Case> all;
+    add_everywhere(all, "", "");
+    for (Case c : all) {
+        for (const std::string kind : {"missing", "a directory", "a pipe", "a loop of links"}) {
+            SCOPED_TRACE(c.what + kind);
+            const Folder folder;
+            for (const auto& [name, bytes] : c.files)
+                if (name != c.blamed) folder.write(name, bytes);
+            const std::string path = folder.path(c.blamed);
+            if (kind == "a directory") fs::create_directory(path);
+            if (kind == "a pipe") mkfifo(path.c_str(), 0600);
+            if (kind == "a loop of links") fs::create_symlink(path, path);
+            expect_one_line_naming(c.blamed, run(folder, placed(c.call, folder)));
+        }
+    }
+}
+
+// The good files that stand beside the broken ones: were they refused too, every case above would pass for nothing.
+TEST(BadInput, TheGoodFilesBesideThemAreTaken) {
+    const Folder folder;
+    const Ending ending = run(folder, {"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", motion)});
+    EXPECT_EQ(ending.exit, 0) << ending.said;
+    EXPECT_EQ(ending.said, "");
+}
+
+}  // namespace
