@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/checks.hpp"
+#include "app/commands/knot.hpp"
 #include "app/commands/play.hpp"
 
 namespace app {
@@ -17,7 +18,7 @@ void add_commands(CLI::App& program) {
     add_replay(program);
     add_render(program);
     add_motion(program);
-    add_knot(program);
+    add_knot_command(program);
     add_validate(program);
     add_explain(program);
     add_rope(program);

@@ -6,16 +6,29 @@
 
 namespace assets {
 
-/// One piece of thread or one core.
-struct Curve {
-    std::vector<Vec3> vertices;  ///< [m]. At least 2; at least 3 if closed. The first is not repeated at the end.
-    bool closed = false;         ///< Its last vertex is joined to its first.
+/// One strand of a curve file.
+struct CurveComponent {
+    std::vector<Vec3> vertices;  ///< [m]. A closed one does not repeat its first vertex at the end.
+    std::vector<int> lines;      ///< Line of the file each vertex stands on; 0 where the format has none (.ply, .obj).
+    bool closed = false;
 };
 
-/// Reads a curve file (.csv, .xyz, .txt): a vertex "x y z" in mm a line, separated by blanks or commas; '#' starts a
-/// comment; a blank line starts the next component; a component whose last vertex repeats its first is closed.
-/// Throws AssetError, "file:line: error: what": not a readable text file, a line that is not three finite numbers, no
-/// vertex, a component of fewer than 2 different vertices. Cost: linear.
-std::vector<Curve> load_curves(const std::filesystem::path& file);
+struct Curve {
+    std::filesystem::path file;
+    std::vector<CurveComponent> components;  ///< At least one; each of at least two vertices in different places.
+
+    /// "file:12" or, without line numbers, "file: vertex 12": where an error in a vertex is to be looked for.
+    std::string place(int component, int vertex) const;
+};
+
+/// Vertices a curve file may have: far beyond any thread, and read in well under a second.
+inline constexpr int most_curve_vertices = 200000;
+
+/// Reads a curve written in mm. `.csv`, `.xyz`, `.txt` (any other ending too): one vertex `x y z` a line, blanks or
+/// commas between, `#` starts a comment, an empty line starts the next component, a last vertex equal to the first
+/// closes it.
+/// `.obj`: its `l` elements; `.ply`: its vertices in order, when it has neither faces nor edges.
+/// Throws AssetError "file:line:column: error: what is wrong, what would be right".
+Curve load_curve(const std::filesystem::path& file);
 
 }  // namespace assets

@@ -11,8 +11,6 @@ void add_validate(CLI::App& program);
 /// `carrel explain DRILL`: effects on and off, their error and cost; defaults filled in.
 void add_explain(CLI::App& program);
 
-/// `carrel knot CURVE...`: names the knots in curves.
-void add_knot(CLI::App& program);
 /// `carrel rope CURVE --motion MOTION`: moves one bare thread by its nodes and measures what it does.
 void add_rope(CLI::App& program);
 

@@ -1,10 +1,13 @@
+#include "app/commands/knot.hpp"
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
-#include "app/commands/checks.hpp"
 #include "app/fault.hpp"
 #include "assets/curve.hpp"
 #include "sim/knot/namer.hpp"
@@ -13,85 +16,131 @@ namespace app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Options {
-    std::vector<std::string> files;
+    std::vector<std::string> curves, around;
     bool closed = false, json = false;
 };
 
-struct Named {
-    assets::Curve curve;
-    sim::knot::Name name;
-    long microseconds = 0;
+struct Answer {
+    std::string file;
+    bool open = false;
+    sim::knot::LinkName link;
+    double microseconds = 0.0;
 };
 
-Named name_one(assets::Curve curve, const Options& options) {
-    curve.closed = curve.closed || options.closed;
-    const auto start = std::chrono::steady_clock::now();
-    sim::knot::Name name = sim::knot::name_knot(curve.vertices, curve.closed);
-    const auto spent = std::chrono::steady_clock::now() - start;
-    return {std::move(curve), std::move(name), std::chrono::duration_cast<std::chrono::microseconds>(spent).count()};
-}
-
-Json json_of(const std::string& file, size_t component, size_t components, const Named& named) {
-    const sim::knot::Name& name = named.name;
-    Json factors = Json::array();
-    for (const auto& f : name.factors)
-        factors.push_back({{"name", f.name}, {"mirror", f.mirror}, {"crossings", f.crossings}});
-    Json entry = {{"file", file}, {"components", components}, {"open", !named.curve.closed}};
-    if (components > 1) entry["component"] = component + 1;
-    entry.update({{"knot", name.knot},
-                  {"factors", factors},
-                  {"surgical", {{"name", name.surgical}, {"throws", name.throws}}},
-                  {"crossings", {{"projected", name.crossings_projected}, {"reduced", name.crossings_reduced}}},
-                  {"certain", name.certain},
-                  {"microseconds", named.microseconds}});
-    if (!name.certain) entry["candidates"] = name.candidates;
-    return entry;
-}
-
-void print(const std::string& file, size_t component, size_t components, const sim::knot::Name& name) {
-    std::cout << file;
-    if (components > 1) std::cout << " component " << component + 1;
-    std::cout << ": " << name.knot;
-    if (!name.surgical.empty()) std::cout << ", " << name.surgical;
-    if (!name.throws.empty()) std::cout << ", throws " << name.throws;
-    if (!name.certain) {
-        std::cout << ", not certain (" << name.crossings_reduced << " crossings left)";
-        for (size_t i = 0; i < name.candidates.size(); ++i)
-            std::cout << (i == 0 ? ", candidates " : " or ") << name.candidates[i];
+assets::Curve load(const std::string& file) {
+    try {
+        return assets::load_curve(file);
+    } catch (const assets::AssetError& error) {
+        throw InputFault(error.what());
     }
+}
+
+// A component together with where it was read, so that a fault in it can be located.
+struct Source {
+    const assets::Curve* curve;
+    int component;
+};
+
+Answer name(const std::string& file, const std::vector<assets::Curve>& around, bool closed) {
+    const assets::Curve curve = load(file);
+    std::vector<sim::knot::Component> components;
+    std::vector<Source> sources;
+    const auto add = [&](const assets::Curve& from, bool close) {
+        for (std::size_t i = 0; i < from.components.size(); ++i) {
+            components.push_back({from.components[i].vertices, from.components[i].closed || close});
+            sources.push_back({&from, static_cast<int>(i)});
+        }
+    };
+    add(curve, closed);
+    for (const assets::Curve& object : around) add(object, false);
+    if (const auto touch = sim::knot::first_touch(components)) {
+        const auto place = [&](int component, int vertex) {
+            const Source& source = sources[static_cast<std::size_t>(component)];
+            return source.curve->place(source.component, vertex);
+        };
+        throw InputFault(
+            place(touch->component_a, touch->vertex_a) + ": error: the edge from here touches the edge from " +
+            place(touch->component_b, touch->vertex_b) + ", so the knot is undefined; expected strands apart");
+    }
+    const auto start = std::chrono::steady_clock::now();
+    Answer answer{file, !components.front().closed, sim::knot::name_link(components), 0.0};
+    answer.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    return answer;
+}
+
+nlohmann::ordered_json to_json(const Answer& answer) {
+    const sim::knot::Name& n = answer.link.name;
+    nlohmann::ordered_json j{{"file", answer.file},
+                             {"components", answer.link.component_knots.size()},
+                             {"open", answer.open},
+                             {"knot", n.knot}};
+    j["factors"] = nlohmann::json::array();
+    for (const auto& f : n.factors)
+        j["factors"].push_back(
+            nlohmann::ordered_json{{"name", f.name}, {"mirror", f.mirror}, {"crossings", f.crossings}});
+    if (n.surgical.empty()) {
+        j["surgical"] = nullptr;
+    } else {
+        j["surgical"] = nlohmann::ordered_json{{"name", n.surgical}, {"throws", n.throws}, {"flat", n.flat}};
+    }
+    const nlohmann::json left = n.crossings_reduced < 0 ? nlohmann::json() : nlohmann::json(n.crossings_reduced);
+    j["crossings"] = nlohmann::ordered_json{{"projected", n.crossings_projected}, {"reduced", left}};
+    j["certain"] = n.certain;
+    if (!n.certain) j["candidates"] = n.candidates;
+    if (answer.link.component_knots.size() > 1) {
+        j["component_knots"] = answer.link.component_knots;
+        j["linking_numbers"] = answer.link.linking_numbers;
+    }
+    j["microseconds"] = static_cast<long>(answer.microseconds + 0.5);
+    return j;
+}
+
+void print(const Answer& answer) {
+    const sim::knot::Name& n = answer.link.name;
+    std::cout << answer.file << ": " << n.knot;
+    if (n.knot == "unknown" && n.crossings_reduced < 0) std::cout << " (too many crossings to count)";
+    if (n.knot == "unknown" && n.crossings_reduced >= 0) std::cout << " (" << n.crossings_reduced << " crossings left)";
+    if (!n.surgical.empty()) std::cout << ", " << n.surgical;
+    if (!n.throws.empty()) std::cout << " (" << n.throws << ")" << (n.flat ? "" : ", capsized");
+    if (!n.certain && !n.candidates.empty()) {
+        std::cout << ", not certain:";
+        for (const std::string& c : n.candidates) std::cout << ' ' << c;
+    }
+    for (std::size_t i = 0; i < answer.link.linking_numbers.size(); ++i)
+        std::cout << (i == 0 ? ", linking numbers " : " ") << answer.link.linking_numbers[i];
     std::cout << '\n';
 }
 
-int name_files(const Options& options) try {
-    Json report = {{"curves", Json::array()}};
-    for (const std::string& file : options.files) {
-        const std::vector<assets::Curve> curves = assets::load_curves(file);
-        for (size_t i = 0; i < curves.size(); ++i) {
-            const Named named = name_one(curves[i], options);
-            if (options.json)
-                report["curves"].push_back(json_of(file, i, curves.size(), named));
-            else
-                print(file, i, curves.size(), named.name);
-        }
+int run(const Options& options) {
+    std::vector<assets::Curve> around;
+    for (const std::string& file : options.around) around.push_back(load(file));
+    std::vector<Answer> answers;
+    for (const std::string& file : options.curves) answers.push_back(name(file, around, options.closed));
+    if (!options.json) {
+        std::for_each(answers.begin(), answers.end(), print);
+        return 0;
     }
-    if (options.json) std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    nlohmann::ordered_json all{{"curves", nlohmann::json::array()}};
+    for (const Answer& answer : answers) all["curves"].push_back(to_json(answer));
+    // A file name may hold any bytes; JSON may not.
+    std::cout << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;
-} catch (const assets::AssetError& fault) {
-    throw InputFault(fault.what());
 }
 
 }  // namespace
 
-void add_knot(CLI::App& program) {
-    auto* command = program.add_subcommand("knot", "Name the knots in curves");
-    auto options = std::make_shared<Options>();
-    command->add_option("CURVE", options->files, "Curve files (.csv, .xyz, .txt)")->required();
-    command->add_flag("--closed", options->closed, "Join the ends of every curve by a straight line");
+void add_knot_command(CLI::App& program) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command =
+        program.add_subcommand("knot", "Names the knots in curve files (one vertex 'x y z' a line, mm)");
+    command->add_option("curves", options->curves, "Curve files")->required();
+    command->add_flag("--closed", options->closed, "Join the last vertex of every component to its first");
+    command->add_option("--around", options->around, "A curve the others are tied round; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_flag("--json", options->json, "One JSON object on stdout");
-    command->callback([options] { chosen_command() = [options] { return name_files(*options); }; });
+    command->callback([options] { chosen_command() = [options] { return run(*options); }; });
 }
 
 }  // namespace app

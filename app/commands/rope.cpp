@@ -58,7 +58,7 @@ void check(const Options& o) {
 }
 
 std::vector<Vec3> read_curve(const std::string& file) try {
-    const std::vector<assets::Curve> curves = assets::load_curves(file);
+    const auto curves = assets::load_curve(file).components;
     if (curves.size() != 1) fail(file, "expected one curve, found " + std::to_string(curves.size()));
     if (curves[0].closed) fail(file, "expected an open curve, its last vertex is its first");
     const std::vector<Vec3>& nodes = curves[0].vertices;

@@ -1,40 +1,72 @@
 #pragma once
+#include <cstddef>
 #include <vector>
-
-#include "sim/knot/namer.hpp"
 
 namespace sim::knot {
 
+/// One passage of a strand through a crossing.
 struct Passage {
-    int crossing = 0;
-    bool over = false;
+    int crossing;
+    bool over;
     bool operator==(const Passage&) const = default;
 };
 
-using Word = std::vector<Passage>;
-
-/// A knot or link diagram as a signed Gauss word: per component its passages in travel order, cyclic.
-/// An empty word is a circle that crosses nothing.
+/// A link diagram on the sphere as its signed Gauss code: per component the passages met on one tour of it.
+/// Every crossing occurs once over and once under. A component without passages is a circle apart.
+/// Sign: +1 when (over x under) points to the viewer, so the right-handed trefoil has three positive crossings.
 struct Diagram {
-    std::vector<Word> words;
-    std::vector<int>
-        sign;  ///< By crossing; +1 right-handed: (over x under).z > 0 seen from +z. Holds unused crossings too.
+    std::vector<std::vector<Passage>> strands;
+    std::vector<int> sign;  ///< Per crossing, +1 or -1.
 
-    int crossings() const;
+    int crossings() const { return static_cast<int>(sign.size()); }
 };
 
-/// Where view number `view` looks from: the same every time, spread over the sphere, never along an axis.
-Vec3 view_direction(int view);
+/// Where each crossing is met: strand and index in it.
+struct Place {
+    int strand = -1, index = -1;
+};
+struct Places {
+    std::vector<Place> over, under;
+};
+Places places(const Diagram& diagram);
 
-/// Shadow of a closed polygon seen along direction number `view` (any number; the same view each time).
-/// Points in general position (see reduce.hpp). Cost: n log n plus pairs that overlap along one axis.
-Diagram project(const std::vector<Vec3>& polygon, int view);
+/// The diagram without the crossings marked `gone`, the others numbered anew.
+Diagram without(const Diagram& diagram, const std::vector<char>& gone);
 
-/// Undoes curls (Reidemeister 1) and strands that lie wholly above one another (Reidemeister 2) until none is left.
-void simplify(Diagram& diagram);
+/// Reidemeister moves 1 and 2 that remove crossings, until none is left.
+void remove_curls_and_bigons(Diagram& diagram);
 
-/// The factors one can see: stretches of a one-component diagram that meet only themselves. Each simplified, none
-/// empty.
-std::vector<Diagram> split(Diagram diagram);
+/// remove_curls_and_bigons, and every over (under) stretch that has a shorter way over (under) the rest takes it.
+/// At most `most` crossings are accepted; larger diagrams only lose curls and bigons.
+void simplify(Diagram& diagram, int most = 150);
+
+/// True when over and under alternate along every strand and no crossing cuts the diagram in two: then no diagram of
+/// this link has fewer crossings (Kauffman, Murasugi, Thistlethwaite 1987).
+bool reduced_alternating(const Diagram& diagram);
+
+/// The pieces no crossing connects, with the original numbers of their strands.
+struct Piece {
+    Diagram diagram;
+    std::vector<int> strands;
+};
+std::vector<Piece> split_pieces(const Diagram& diagram);
+
+/// Cuts off visible summands: a stretch of one strand that holds both passages of each of its crossings.
+/// Returns the summands as one-strand diagrams, innermost first; `diagram` keeps the rest. A knot comes back whole in
+/// `summands`, its rest empty.
+struct Summand {
+    Diagram diagram;
+    int strand;
+};
+std::vector<Summand> cut_summands(Diagram& diagram);
+
+/// Half the sum of the signs of the crossings between strands i and j.
+int linking_number(const Diagram& diagram, int i, int j);
+
+/// The diagram with strand i traversed backwards.
+Diagram reversed(Diagram diagram, int i);
+
+/// Only strand i, its crossings with others taken away.
+Diagram only(const Diagram& diagram, int i);
 
 }  // namespace sim::knot

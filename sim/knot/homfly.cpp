@@ -1,174 +1,158 @@
 #include "sim/knot/homfly.hpp"
 
-#include <algorithm>
 #include <map>
+#include <string>
 
 namespace sim::knot {
 
 namespace {
 
-// a + c v^dv z^dz b
-Polynomial add(const Polynomial& a, const Polynomial& b, int dv, int dz, long long c) {
-    Polynomial sum;
-    sum.reserve(a.size() + b.size());
-    size_t i = 0;
-    const auto push = [&](const Term& t) {
-        if (t.coefficient != 0) sum.push_back(t);
-    };
-    for (const Term& t : b) {
-        const int v = t.v + dv, z = t.z + dz;
-        for (; i < a.size() && (a[i].v < v || (a[i].v == v && a[i].z < z)); ++i) push(a[i]);
-        long long coefficient = c * t.coefficient;
-        if (i < a.size() && a[i].v == v && a[i].z == z) coefficient += a[i++].coefficient;
-        push({v, z, coefficient});
-    }
-    for (; i < a.size(); ++i) push(a[i]);
-    return sum;
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
 }
 
-Polynomial circles(size_t count) {
-    Polynomial p = {{0, 0, 1}};
-    for (size_t i = 1; i < count; ++i) p = add(add({}, p, -1, -1, 1), p, 1, -1, -1);
-    return p;
-}
-
-// First passage in travel order that is below where its crossing is met first; the number of such passages.
-struct Bad {
-    int count = 0;
-    size_t component = 0, index = 0;
+// First passage, on a tour from the given starts, where a crossing is met first on the wrong level.
+struct Tour {
+    int bad = 0, first_bad = -1;
 };
 
-Bad bad_passages(const Diagram& diagram) {
-    std::vector<bool> met(diagram.sign.size());
-    Bad bad;
-    for (size_t c = 0; c < diagram.words.size(); ++c)
-        for (size_t i = 0; i < diagram.words[c].size(); ++i) {
-            const Passage& p = diagram.words[c][i];
-            if (!met[p.crossing] && !p.over && bad.count++ == 0) bad.component = c, bad.index = i;
-            met[p.crossing] = true;
+Tour tour(const Diagram& diagram, const std::vector<int>& starts, bool descending) {
+    Tour result;
+    std::vector<char> met(diagram.sign.size(), 0);
+    for (std::size_t s = 0; s < diagram.strands.size(); ++s) {
+        const auto& word = diagram.strands[s];
+        for (std::size_t i = 0; i < word.size(); ++i) {
+            const Passage p = word[(i + at(starts[s])) % word.size()];
+            if (met[at(p.crossing)]) continue;
+            met[at(p.crossing)] = 1;
+            if (p.over == descending) continue;
+            if (result.bad++ == 0) result.first_bad = p.crossing;
         }
-    return bad;
-}
-
-// Starts each component where the fewest passages are bad. What it keeps is never worse than what it found, so that
-// switching a bad crossing always brings the diagram nearer to a descending one.
-void choose_starts(Diagram& diagram) {
-    int best = bad_passages(diagram).count;
-    for (Word& word : diagram.words) {
-        size_t best_turn = 0;
-        for (size_t turn = 1; turn < word.size(); ++turn) {
-            std::rotate(word.begin(), word.begin() + 1, word.end());
-            if (const int count = bad_passages(diagram).count; count < best) best = count, best_turn = turn;
-        }
-        if (!word.empty()) std::rotate(word.begin(), word.begin() + 1, word.end());
-        std::rotate(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(best_turn), word.end());
-    }
-}
-
-// Joins the strands at a crossing the other way round, along their directions.
-Diagram smoothed(const Diagram& diagram, int crossing) {
-    Diagram result{{}, diagram.sign};
-    std::vector<Word> pieces;  // The words cut at the crossing.
-    for (const Word& word : diagram.words) {
-        std::vector<size_t> cuts;
-        for (size_t i = 0; i < word.size(); ++i)
-            if (word[i].crossing == crossing) cuts.push_back(i);
-        if (cuts.empty()) result.words.push_back(word);
-        for (size_t k = 0; k < cuts.size(); ++k) {
-            Word piece;
-            const size_t to = cuts[(k + 1) % cuts.size()];
-            for (size_t i = (cuts[k] + 1) % word.size(); i != to; i = (i + 1) % word.size()) piece.push_back(word[i]);
-            pieces.push_back(piece);
-        }
-        if (cuts.size() == 1)
-            pieces.back() = [&] {
-                Word piece(word.begin() + cuts[0] + 1, word.end());
-                piece.insert(piece.end(), word.begin(), word.begin() + cuts[0]);
-                return piece;
-            }();
-        if (cuts.size() == 2) {  // One component becomes two.
-            result.words.insert(result.words.end(), pieces.begin(), pieces.end());
-            pieces.clear();
-        }
-    }
-    if (pieces.size() == 2) {  // Two components become one.
-        pieces[0].insert(pieces[0].end(), pieces[1].begin(), pieces[1].end());
-        result.words.push_back(pieces[0]);
     }
     return result;
 }
 
-void switch_crossing(Diagram& diagram, int crossing) {
-    for (Word& word : diagram.words)
-        for (Passage& p : word)
-            if (p.crossing == crossing) p.over = !p.over;
-    diagram.sign[crossing] = -diagram.sign[crossing];
+// The tour with the fewest wrong crossings, its starts improved strand by strand.
+Tour best_tour(const Diagram& diagram) {
+    Tour best{1 << 30, -1};
+    for (const bool descending : {true, false}) {
+        std::vector<int> starts(diagram.strands.size(), 0);
+        Tour here = tour(diagram, starts, descending);
+        for (std::size_t s = 0; s < starts.size(); ++s)
+            for (int i = 1; i < static_cast<int>(diagram.strands[s].size()); ++i) {
+                std::vector<int> other = starts;
+                other[s] = i;
+                const Tour there = tour(diagram, other, descending);
+                if (there.bad < here.bad) here = there, starts = other;
+            }
+        if (here.bad < best.bad) best = here;
+    }
+    return best;
 }
 
-// Numbers the crossings in travel order, so that equal diagrams look equal; the key is the diagram itself.
-std::vector<short> relabel(Diagram& diagram) {
-    std::vector<int> label(diagram.sign.size(), -1), sign;
-    std::vector<short> key;
-    for (Word& word : diagram.words) {
-        for (Passage& p : word) {
-            int& l = label[p.crossing];
-            if (l < 0) {
-                l = static_cast<int>(sign.size());
-                sign.push_back(diagram.sign[p.crossing]);
-            }
-            p.crossing = l;
-            key.push_back(static_cast<short>(4 * l + 2 * (sign[l] > 0) + p.over + 1));
+Diagram switched(Diagram diagram, int crossing) {
+    for (auto& word : diagram.strands)
+        for (Passage& p : word)
+            if (p.crossing == crossing) p.over = !p.over;
+    diagram.sign[at(crossing)] = -diagram.sign[at(crossing)];
+    return diagram;
+}
+
+// The crossing replaced by two strands side by side that keep their directions.
+Diagram smoothed(const Diagram& diagram, int crossing) {
+    const Places where = places(diagram);
+    const Place a = where.over[at(crossing)], b = where.under[at(crossing)];
+    const auto tail = [&](Place from, std::size_t count) {
+        const auto& word = diagram.strands[at(from.strand)];
+        std::vector<Passage> part;
+        for (std::size_t k = 1; k <= count; ++k) part.push_back(word[(at(from.index) + k) % word.size()]);
+        return part;
+    };
+    Diagram result{{}, diagram.sign};
+    for (int s = 0; s < static_cast<int>(diagram.strands.size()); ++s)
+        if (s != a.strand && s != b.strand) result.strands.push_back(diagram.strands[at(s)]);
+    const std::size_t na = diagram.strands[at(a.strand)].size(), nb = diagram.strands[at(b.strand)].size();
+    if (a.strand == b.strand) {
+        const std::size_t from_a = (at(b.index) + na - at(a.index)) % na;
+        result.strands.push_back(tail(a, from_a - 1));
+        result.strands.push_back(tail(b, na - from_a - 1));
+    } else {
+        auto joined = tail(a, na - 1);
+        const auto rest = tail(b, nb - 1);
+        joined.insert(joined.end(), rest.begin(), rest.end());
+        result.strands.push_back(std::move(joined));
+    }
+    std::vector<char> gone(diagram.sign.size(), 0);
+    gone[at(crossing)] = 1;
+    return without(result, gone);
+}
+
+// Crossings renumbered in the order they are met, so that equal diagrams give equal keys more often.
+std::string key_of(const Diagram& diagram) {
+    std::vector<int> number(diagram.sign.size(), -1);
+    int next = 0;
+    std::string key;
+    for (const auto& word : diagram.strands) {
+        for (const Passage p : word) {
+            int& n = number[at(p.crossing)];
+            if (n < 0) n = next++;
+            key.push_back(static_cast<char>(1 + 4 * n + 2 * p.over + (diagram.sign[at(p.crossing)] > 0)));
+            key.push_back(static_cast<char>(n >> 6));
         }
         key.push_back(0);
     }
-    diagram.sign = sign;
     return key;
 }
 
 class Skein {
   public:
-    explicit Skein(int budget) : budget_(budget) {}
+    explicit Skein(long most_work) : work_left_(most_work) {}
 
-    Polynomial evaluate(Diagram diagram) {
-        if (budget_ <= 0) return {};
-        --budget_;
-        simplify(diagram);
-        choose_starts(diagram);
-        const std::vector<short> key = relabel(diagram);
-        if (const auto known = known_.find(key); known != known_.end()) return known->second;
-        const Bad bad = bad_passages(diagram);
-        if (bad.count == 0) return known_[key] = circles(diagram.words.size());
-        const int crossing = diagram.words[bad.component][bad.index].crossing;
-        const bool positive = diagram.sign[crossing] > 0;
-        const Polynomial smooth = evaluate(smoothed(diagram, crossing));
-        switch_crossing(diagram, crossing);
-        const Polynomial switched = evaluate(std::move(diagram));
-        const Polynomial result = positive ? add(add({}, switched, 2, 0, 1), smooth, 1, 1, 1)
-                                           : add(add({}, switched, -2, 0, 1), smooth, -1, 1, -1);
-        return known_[key] = result;
+    std::optional<Polynomial> value(Diagram diagram) {
+        remove_curls_and_bigons(diagram);
+        const int circles = drop_circles(diagram);
+        if (diagram.strands.empty()) return unlink(circles);
+        std::optional<Polynomial> p = remembered(diagram);
+        if (p && circles > 0) p = product(*p, unlink(circles + 1));
+        return p;
     }
 
-    bool finished() const { return budget_ > 0; }
-
   private:
-    int budget_;
-    std::map<std::vector<short>, Polynomial> known_;
+    static int drop_circles(Diagram& diagram) {
+        const std::size_t before = diagram.strands.size();
+        std::erase_if(diagram.strands, [](const auto& word) { return word.empty(); });
+        return static_cast<int>(before - diagram.strands.size());
+    }
+
+    std::optional<Polynomial> remembered(const Diagram& diagram) {
+        const std::string key = key_of(diagram);
+        if (const auto known = memory_.find(key); known != memory_.end()) return known->second;
+        work_left_ -= static_cast<long>(diagram.crossings()) * diagram.crossings();
+        if (work_left_ < 0) return std::nullopt;
+        std::optional<Polynomial> p = by_skein(diagram);
+        if (p) memory_.emplace(key, *p);
+        return p;
+    }
+
+    std::optional<Polynomial> by_skein(const Diagram& diagram) {
+        const Tour best = best_tour(diagram);
+        if (best.bad == 0) return unlink(static_cast<int>(diagram.strands.size()));
+        const auto other = value(switched(diagram, best.first_bad));
+        if (!other) return std::nullopt;
+        const auto joined = value(smoothed(diagram, best.first_bad));
+        if (!joined) return std::nullopt;
+        return diagram.sign[at(best.first_bad)] > 0 ? sum(scaled(*other, {2, 0, 1}), scaled(*joined, {1, 1, 1}))
+                                                    : sum(scaled(*other, {-2, 0, 1}), scaled(*joined, {-1, 1, -1}));
+    }
+
+    std::map<std::string, Polynomial> memory_;
+    long work_left_;
 };
 
 }  // namespace
 
-std::optional<Polynomial> homfly(const Diagram& diagram, int budget) {
-    Skein skein(budget);
-    Polynomial result = skein.evaluate(diagram);
-    if (!skein.finished()) return std::nullopt;
-    return result;
-}
-
-Polynomial mirror(const Polynomial& polynomial) {
-    Polynomial result;
-    for (const Term& t : polynomial) result.push_back({-t.v, t.z, t.z % 2 ? -t.coefficient : t.coefficient});
-    std::sort(result.begin(), result.end());
-    return result;
+std::optional<Polynomial> homfly(const Diagram& diagram, long most_work) {
+    return Skein(most_work).value(diagram);
 }
 
 }  // namespace sim::knot

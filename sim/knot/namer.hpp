@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,48 @@ struct Throw {
 struct Name {
     std::string knot = "0_1";  ///< "3_1#m3_1": factors sorted and joined by '#'; "unknown" if not in the table.
     std::vector<Factor> factors;
-    std::string surgical;  ///< "square", "granny", "surgeon's", "overhand", "slip", ... or empty.
-    std::string throws;    ///< Tera and Aberg: "1=1", "2=1", "1x1", or empty.
-    int crossings_projected = 0, crossings_reduced = 0;
+    std::string surgical;         ///< "square", "granny", "surgeon's", "overhand", "slip", ... or empty.
+    std::string throws;           ///< Tera and Aberg: "1=1", "2=1", "1x1", or empty.
+    int crossings_projected = 0;  ///< Of the first view, after reduction in space.
+    int crossings_reduced = 0;    ///< What is left; -1 when there were too many to count.
     bool certain = true;
     std::vector<std::string> candidates;  ///< What remains when not certain.
+    bool flat = true;                     ///< The throws lie flat (square); false: capsized into sliding half hitches.
+    std::vector<Throw> throw_list;        ///< `throws` with the hand of each, from the loop outwards.
+};
+
+/// One strand of a link, any unit. A closed one does not repeat its first vertex.
+struct Component {
+    std::vector<Vec3> vertices;
+    bool closed = false;
+};
+
+struct LinkName {
+    Name name;  ///< `knot`: "L2a1#3_1", "unlink", "3_1|0_1", or as for one component.
+    std::vector<std::string> component_knots;
+    std::vector<int> linking_numbers;  ///< |lk| of each pair 01, 02, ..., 12, ...
 };
 
 /// Names the knot in an open curve (its ends joined outside its convex hull) or a closed one.
 /// Vertices in order, any unit, at least two, finite. Scale, rotation and translation do not matter.
+///
+/// Never wrong: what cannot be decided comes back with `certain` false and the remaining candidates.
+/// An end that lies inside the hull is led out in several directions; unless all agree, `certain` is false.
+/// Cost: about 0.1 to 1 ms at 300 vertices; bounded work on any input (then "unknown"). Deterministic.
+/// Strands must stay further apart than 1e-8 of the curve's size (undefined type otherwise; see first_touch).
 Name name_knot(const std::vector<Vec3>& curve, bool closed = false);
+
+/// Names several components together, direction and order of components not counting. Open ones are closed outside the
+/// hull of all of them. Surgical names are read from the first component alone.
+LinkName name_link(const std::vector<Component>& components);
+
+/// Two edges that meet, so that the curve has no type: first edge (component, index of its first vertex) and second.
+struct Touch {
+    int component_a, vertex_a, component_b, vertex_b;
+};
+
+/// The first pair of edges that are not neighbours and come closer than 1e-8 of the curve's size; nothing when there is
+/// none. Repeated neighbouring vertices do not count. Stops with an answer "none found" after 2e8 box tests.
+std::optional<Touch> first_touch(const std::vector<Component>& components);
 
 }  // namespace sim::knot

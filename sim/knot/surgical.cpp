@@ -1,160 +1,241 @@
 #include "sim/knot/surgical.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <array>
+#include <cmath>
+#include <optional>
 
+#include "sim/knot/projection.hpp"
+#include "sim/knot/reroute.hpp"
 #include "sim/knot/table.hpp"
 
 namespace sim::knot {
 
 namespace {
 
-using Throws = std::vector<Throw>;
-using NamePart = std::function<Name(const std::vector<Vec3>&)>;
-
-constexpr size_t most_throws = 5;  // 120 orders to weigh; nobody ties more.
-constexpr int growth_steps = 24;   // Pieces looked at between the loop and the whole knot.
-constexpr size_t cuts = 20;        // Places where an end is cut back to find a slip knot.
-constexpr int smallest_knot = 3;   // Crossings.
-
-Factor as_factor(int turns, bool right_handed) {
-    return {std::to_string(2 * turns + 1) + "_1", !right_handed, 2 * turns + 1};
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
 }
 
-// What a piece may be that holds some throws whole and the next one in part.
-std::set<std::string> stages(const Throws& throws) {
-    std::set<std::string> result = {"0_1"};
-    std::vector<Factor> whole;
-    for (const Throw& t : throws) {
-        for (int turns = 1; turns <= t.turns; ++turns) {
-            std::vector<Factor> stage = whole;
-            stage.push_back(as_factor(turns, t.right_handed));
-            result.insert(joined_name(stage));
-        }
-        whole.push_back(as_factor(t.turns, t.right_handed));
+std::optional<Throw> throw_of(const Factor& factor) {
+    static const std::array<const char*, 4> torus{"3_1", "5_1", "7_1", "9_1"};
+    for (int turns = 1; turns <= 4; ++turns)
+        if (factor.name == torus[at(turns - 1)]) return Throw{turns, !factor.mirror};
+    return std::nullopt;
+}
+
+// The strand seen from one side; types of its stretches.
+class Reading {
+  public:
+    explicit Reading(OpenDiagram open) : open_(std::move(open)) {}
+
+    int passages() const { return static_cast<int>(open_.positions.size()); }
+    double position(int i) const { return open_.positions[at(i)]; }
+    const Diagram& diagram() const { return open_.diagram; }
+
+    // Type of passages first .. first + count - 1; nothing when it depends on whether the ends are joined above or
+    // below.
+    std::optional<Identity> type(int first, int count) const {
+        if (count < 6) return Identity{};  // fewer than three crossings
+        const Identity above = identify(joined_ends(open_.diagram, first, count, true));
+        if (!above.known) return std::nullopt;
+        const Identity below = identify(joined_ends(open_.diagram, first, count, false));
+        return above == below ? std::optional(above) : std::nullopt;
     }
-    return result;
-}
 
-std::vector<Vec3> piece(const std::vector<Vec3>& curve, size_t from, size_t to) {
-    return {curve.begin() + static_cast<std::ptrdiff_t>(from), curve.begin() + static_cast<std::ptrdiff_t>(to) + 1};
-}
+  private:
+    OpenDiagram open_;
+};
 
-// The knot's own stretch: cut each end back as far as the whole type remains.
-std::pair<size_t, size_t> extent_of(const std::vector<Vec3>& curve, const NamePart& name_part,
-                                    const std::string& knot) {
-    const size_t n = curve.size();
-    size_t from = 0, beyond = n - 2;
-    while (beyond - from > 1) {
-        const size_t middle = (from + beyond) / 2;
-        (name_part(piece(curve, middle, n - 1)).knot == knot ? from : beyond) = middle;
+// Views with the fewest crossings first, of those in which the whole strand has its true type.
+std::vector<Reading> readings(const std::vector<Vec3>& strand, const Identity& whole, std::size_t wanted) {
+    constexpr int views = 12, most_crossings = 60;
+    std::vector<Reading> all;
+    for (int i = 0; i < views; ++i)
+        if (auto open = project_open(strand, direction(i), most_crossings)) all.emplace_back(std::move(*open));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Reading& a, const Reading& b) { return a.passages() < b.passages(); });
+    std::vector<Reading> good;
+    for (Reading& reading : all) {
+        const auto type = reading.type(0, reading.passages());
+        if (type && *type == whole) good.push_back(std::move(reading));
+        if (good.size() == wanted) break;
     }
-    size_t to = n - 1, below = from + 1;
-    while (to - below > 1) {
-        const size_t middle = (to + below) / 2;
-        (name_part(piece(curve, from, middle)).knot == knot ? to : below) = middle;
+    return good;
+}
+
+// The gap between passages that most crossings span: the far end of the loop, both strands of every throw beside it.
+int middle_of_loop(const Reading& reading) {
+    const Places where = places(reading.diagram());
+    std::vector<int> spanning(at(reading.passages() + 1), 0);
+    for (std::size_t c = 0; c < where.over.size(); ++c) {
+        const auto [low, high] = std::minmax(where.over[c].index, where.under[c].index);
+        for (int gap = low + 1; gap <= high; ++gap) ++spanning[at(gap)];
     }
-    return {from, to};
+    const auto best = std::max_element(spanning.begin(), spanning.end());
+    auto last = best;
+    for (auto i = best; i != spanning.end() && *i == *best; ++i) last = i;
+    return static_cast<int>((best - spanning.begin()) + (last - spanning.begin()) + 1) / 2;
 }
 
-// How often each type is met while a piece grows evenly from the middle of the knot's stretch, where the loop is.
-std::map<std::string, int> grow(const std::vector<Vec3>& curve, const NamePart& name_part, const std::string& knot) {
-    const auto [from, to] = extent_of(curve, name_part, knot);
-    std::map<std::string, int> met;
-    for (int step = 1; step <= growth_steps; ++step) {
-        const size_t cut = (to - from) * static_cast<size_t>(growth_steps - step) / (2 * growth_steps);
-        if (to - from < 2 * cut + 3) continue;
-        ++met[name_part(piece(curve, from + cut, to - cut)).knot];
-    }
-    return met;
-}
-
-// Every order of the throws with a notation of its own.
-std::map<std::string, std::vector<Throws>> orders(Throws throws) {
-    const auto less = [](const Throw& a, const Throw& b) {
-        return a.turns != b.turns ? a.turns < b.turns : a.right_handed < b.right_handed;
-    };
-    std::sort(throws.begin(), throws.end(), less);
-    std::map<std::string, std::vector<Throws>> result;
-    do result[notation(throws)].push_back(throws);
-    while (std::next_permutation(throws.begin(), throws.end(), less));
-    return result;
-}
-
-std::string order_seen(const std::map<std::string, std::vector<Throws>>& possible,
-                       const std::map<std::string, int>& met) {
-    std::string best;
-    int best_score = -1, second_score = -1;
-    for (const auto& [text, readings] : possible) {
-        int score = 0;
-        for (const Throws& throws : readings) {
-            int fits = 0;
-            for (const std::string& stage : stages(throws))
-                if (const auto seen = met.find(stage); seen != met.end()) fits += seen->second;
-            score = std::max(score, fits);
-        }
-        if (score > best_score) {
-            second_score = best_score;
-            best_score = score, best = text;
+// Smallest number in [low, high] for which `holds`, found by halving; `high` when it holds nowhere below.
+template <class Holds>
+int first_where(int low, int high, const Holds& holds) {
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (holds(middle)) {
+            high = middle;
         } else {
-            second_score = std::max(second_score, score);
+            low = middle + 1;
         }
     }
-    return best_score > second_score ? best : "";
+    return low;
 }
 
-// A noose is no knot as a whole but one as soon as its end is cut back into the bight. Two cuts in a row must agree.
-bool is_slip(const std::vector<Vec3>& curve, const NamePart& name_part) {
-    const size_t n = curve.size();
-    for (const bool from_start : {true, false}) {
-        std::string previous = "0_1";
-        for (size_t i = 1; i < cuts; ++i) {
-            const size_t cut = i * (n - 1) / cuts;
-            if (n - cut < 4) break;
-            const Name part = name_part(from_start ? piece(curve, cut, n - 1) : piece(curve, 0, n - 1 - cut));
-            const std::string knot = part.certain ? part.knot : "0_1";
-            if (knot != "0_1" && knot == previous) return true;
-            previous = knot;
-        }
+bool knotted(const std::optional<Identity>& type) {
+    return type && !type->factors.empty();
+}
+
+// Two knots one after the other, each on its own piece of the strand, are not throws on one loop: where the head first
+// is a knot, the tail is another.
+bool one_after_the_other(const Reading& reading) {
+    const int n = reading.passages();
+    const int cut = first_where(6, n, [&](int count) { return knotted(reading.type(0, count)); });
+    return knotted(reading.type(cut, n - cut));
+}
+
+// `whole` without one factor, if `part` is that; which one.
+std::optional<Factor> missing_factor(const std::vector<Factor>& whole, const std::vector<Factor>& part) {
+    const std::vector<Factor> missing = taken_from(whole, part);
+    return missing.size() == 1 && part.size() + 1 == whole.size() ? std::optional(missing.front()) : std::nullopt;
+}
+
+// Throws from the loop outwards, found from the last back: growing from the middle, the largest stretch that lacks
+// exactly one throw lacks the last.
+std::optional<std::vector<Throw>> throws_in_order(const Reading& reading, std::vector<Factor> factors) {
+    const int middle = middle_of_loop(reading), n = reading.passages();
+    const auto type_within = [&](int reach) {
+        const int first = std::max(0, middle - reach), last = std::min(n, middle + reach);
+        return reading.type(first, last - first);
+    };
+    std::vector<Throw> order;
+    int reach = std::max(middle, n - middle);
+    while (factors.size() > 1) {
+        reach = first_where(0, reach, [&](int r) {
+            const auto type = type_within(r);
+            return type && type->factors.size() >= factors.size();
+        });
+        std::optional<Factor> missing;
+        while (!missing && --reach > 0)
+            if (const auto type = type_within(reach)) missing = missing_factor(factors, type->factors);
+        if (!missing) return std::nullopt;
+        order.insert(order.begin(), *throw_of(*missing));
+        factors = taken_from(factors, {*missing});
     }
-    return false;
+    order.insert(order.begin(), *throw_of(factors.front()));
+    return order;
 }
 
-}  // namespace
-
-std::optional<Throw> as_throw(const Factor& factor) {
-    if (factor.crossings % 2 == 0 || factor.name != std::to_string(factor.crossings) + "_1") return std::nullopt;
-    return Throw{(factor.crossings - 1) / 2, !factor.mirror};
-}
-
+// Tera and Aberg: turns joined by '=' between throws of opposite hands, 'x' between equal ones.
 std::string notation(const std::vector<Throw>& throws) {
     std::string text;
-    for (size_t i = 0; i < throws.size(); ++i) {
+    for (std::size_t i = 0; i < throws.size(); ++i) {
         if (i > 0) text += throws[i].right_handed == throws[i - 1].right_handed ? 'x' : '=';
         text += std::to_string(throws[i].turns);
     }
     return text;
 }
 
-void read_throws(const std::vector<Vec3>& curve, const std::function<Name(const std::vector<Vec3>&)>& name_part,
-                 Name& name) {
-    if (name.knot == "unknown") return;
-    if (name.factors.empty()) {
-        if (name.crossings_projected >= smallest_knot && is_slip(curve, name_part)) name.surgical = "slip";
+std::string surgeons_name(const std::string& throws) {
+    static const std::array<std::pair<const char*, const char*>, 15> names{{{"1", "overhand"},
+                                                                            {"2", "double throw"},
+                                                                            {"3", "triple throw"},
+                                                                            {"1=1", "square"},
+                                                                            {"1x1", "granny"},
+                                                                            {"2=1", "surgeon's"},
+                                                                            {"2x1", "crossed surgeon's"},
+                                                                            {"1=2", "reversed surgeon's"},
+                                                                            {"2=2", "double square"},
+                                                                            {"2x2", "double granny"},
+                                                                            {"3=1", "triple surgeon's"},
+                                                                            {"1=1=1", "square + square"},
+                                                                            {"1x1x1", "triple granny"},
+                                                                            {"2=1=1", "surgeon's + square"},
+                                                                            {"1=1=1=1", "square + square + square"}}};
+    for (const auto& [notation, name] : names)
+        if (throws == notation) return name;
+    return "throws";
+}
+
+// Turning of the strand between two positions: sum of the chords between unit tangents, 2 sin(angle / 2) each.
+double turning(const std::vector<Vec3>& strand, double from, double to) {
+    double total = 0.0;
+    for (int i = static_cast<int>(std::ceil(from)); i <= static_cast<int>(to); ++i) {
+        if (i < 1 || i + 1 >= static_cast<int>(strand.size())) continue;
+        total += ((strand[at(i + 1)] - strand[at(i)]).normalized() - (strand[at(i)] - strand[at(i - 1)]).normalized())
+                     .norm();
+    }
+    return total;
+}
+
+// Flat throws bend both strands alike; a capsized knot has one straight strand that the other is hitched round.
+// Measured between the outermost crossings of the two strands with each other.
+bool lies_flat(const std::vector<Vec3>& strand, const Reading& reading) {
+    const int middle = middle_of_loop(reading);
+    const Places where = places(reading.diagram());
+    double a_low = 1e300, a_high = -1e300, b_low = 1e300, b_high = -1e300;
+    for (std::size_t c = 0; c < where.over.size(); ++c) {
+        const auto [low, high] = std::minmax(where.over[c].index, where.under[c].index);
+        if (low >= middle || high < middle) continue;
+        a_low = std::min(a_low, reading.position(low)), a_high = std::max(a_high, reading.position(low));
+        b_low = std::min(b_low, reading.position(high)), b_high = std::max(b_high, reading.position(high));
+    }
+    const double a = turning(strand, a_low, a_high), b = turning(strand, b_low, b_high);
+    // Model knots, tight and smooth: flat at most 0.06, sliding at least 0.44.
+    return std::abs(a - b) <= 0.25 * (a + b);
+}
+
+bool has_knotted_stretch(const Reading& reading) {
+    for (int cut = 6; cut < reading.passages(); ++cut)
+        for (const int first : {0, reading.passages() - cut})
+            if (knotted(reading.type(first, cut))) return true;
+    return false;
+}
+
+// Whether cutting the unknotted strand somewhere leaves a knot. Seen from two sides, so that a stretch that only looks
+// knotted from one does not count; and not at all where one side shows fewer crossings than a knot has.
+bool slips(const std::vector<Vec3>& strand, const Identity& whole) {
+    const auto views = readings(strand, whole, 4);
+    if (views.empty() || views.front().passages() < 6) return false;
+    return std::count_if(views.begin(), views.end(), has_knotted_stretch) >= 2;
+}
+
+}  // namespace
+
+void read_surgical(const std::vector<Vec3>& strand, const Identity& whole, Name& name) {
+    if (!whole.certain) return;
+    if (whole.factors.empty()) {
+        if (slips(strand, whole)) name.surgical = "slip";
         return;
     }
-    Throws throws;
-    for (const Factor& factor : name.factors)
-        if (const std::optional<Throw> t = as_throw(factor)) throws.push_back(*t);
-    if (throws.size() != name.factors.size() || throws.size() > most_throws) return;
-    const auto possible = orders(throws);
-    name.throws =
-        possible.size() == 1 ? possible.begin()->first : order_seen(possible, grow(curve, name_part, name.knot));
-    static const std::map<std::string, std::string> names = {{"1", "overhand"},    {"2", "double"},
-                                                             {"1=1", "square"},    {"1x1", "granny"},
-                                                             {"2=1", "surgeon's"}, {"1=2", "reversed surgeon's"}};
-    if (const auto known = names.find(name.throws); known != names.end()) name.surgical = known->second;
+    std::vector<Throw> throws;
+    for (const Factor& factor : whole.factors) {
+        const auto t = throw_of(factor);
+        if (!t) return;
+        throws.push_back(*t);
+    }
+    if (throws.size() > 1) {
+        const auto views = readings(strand, whole, 1);
+        if (views.empty() || one_after_the_other(views.front())) return;
+        const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
+        const auto ordered = throws_in_order(views.front(), whole.factors);
+        if (!ordered && order_matters) return;
+        if (ordered) throws = *ordered;
+        name.flat = lies_flat(strand, views.front());
+    }
+    name.throw_list = throws;
+    name.throws = notation(throws);
+    name.surgical = surgeons_name(name.throws);
 }
 
 }  // namespace sim::knot

@@ -2,26 +2,40 @@
 #include <string>
 #include <vector>
 
-#include "sim/knot/colour.hpp"
-#include "sim/knot/homfly.hpp"
+#include "sim/knot/namer.hpp"
+#include "sim/knot/polynomial.hpp"
 
 namespace sim::knot {
 
-/// A type of at most 10 crossings, prime or composite.
-struct Entry {
-    std::vector<Factor> factors;
+/// A knot type of at most 10 crossings: prime or composite, one of its two mirror images.
+struct KnownKnot {
+    std::vector<Factor> factors;  ///< Sorted; empty for the unknot.
     int crossings = 0;
-    Colours colours, reverse_colours;
-    std::string name() const;
+    Polynomial homfly;
+    std::vector<std::vector<int>> psl27, a5;  ///< Possible colouring vectors, by the direction of each factor.
 };
 
-/// Factors sorted by number and joined by '#': "3_1#m3_1". No factors: "0_1".
-std::string joined_name(std::vector<Factor> factors);
+/// A prime two-component link of at most 9 crossings, one of its two mirror images.
+struct KnownLink {
+    std::string name;  ///< With the prefix m for the mirror image of the listing.
+    int crossings = 0;
+    Polynomial homfly, homfly_second_reversed;
+};
 
-/// By crossings, then number, the listed image before its mirror.
+/// All types with this polynomial. The table is read once, at first use.
+std::vector<const KnownKnot*> knots_with(const Polynomial& homfly);
+
+/// HOMFLY of one prime of the table.
+const Polynomial& listed_homfly(const Factor& factor);
+
+const std::vector<KnownLink>& known_links();
+
+/// "m3_1": the table's name with the prefix of the mirror image.
+std::string name_of(const Factor& factor);
+/// Factors sorted (by crossings, index, mirror last) and joined by '#'; "0_1" for none.
+std::string name_of(std::vector<Factor> factors);
+/// `all` less each of `taken` once, as far as it is there.
+std::vector<Factor> taken_from(std::vector<Factor> all, const std::vector<Factor>& taken);
 void sort_factors(std::vector<Factor>& factors);
-
-/// All types of at most 10 crossings with this polynomial, the unknot too; amphichiral knots once, others by hand.
-const std::vector<Entry>& types_with(const Polynomial& homfly);
 
 }  // namespace sim::knot

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,7 +17,7 @@ const std::string drill = CARREL_SOURCE "/scenarios/drills/square-knot.json";
 
 fs::path scratch() {
     static const fs::path dir = [] {
-        const fs::path made = fs::temp_directory_path() / "carrel-bad-input";
+        const fs::path made = fs::temp_directory_path() / ("carrel-bad-input-" + std::to_string(getpid()));
         fs::remove_all(made);
         fs::create_directories(made / "directory");
         return made;

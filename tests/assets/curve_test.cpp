@@ -1,72 +1,80 @@
 #include "assets/curve.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
-namespace assets {
-
 namespace {
 
-std::filesystem::path written(const std::string& text, const std::string& type = ".xyz") {
-    const auto file = std::filesystem::path(testing::TempDir()) / ("carrel-curve" + type);
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
-}
-
-std::string error_of(const std::filesystem::path& file) {
-    try {
-        load_curves(file);
-    } catch (const AssetError& error) {
-        return error.what();
+// A file of this text in the test's own folder, gone afterwards.
+class File {
+  public:
+    explicit File(const std::string& text, const std::string& name = "curve.xyz")
+        : path_(std::filesystem::path(testing::TempDir()) / ("carrel_curve_test_" + std::to_string(getpid()) + name)) {
+        std::ofstream(path_, std::ios::binary) << text;
     }
-    return "none";
-}
+    ~File() { std::filesystem::remove(path_); }
+    const std::filesystem::path& path() const { return path_; }
 
-// Millimetres in the file, metres inside; blank lines part components, comments do not.
-TEST(Curves, ComponentsCommentsAndSeparatorsAreRead) {
-    const auto curves =
-        load_curves(written("# head\r\n1 2 3\r\n+4,5 , 6e0 # inline\n#\n7\t8\t9\n\n\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n"));
-    ASSERT_EQ(curves.size(), 2u);
-    EXPECT_FALSE(curves[0].closed);
-    ASSERT_EQ(curves[0].vertices.size(), 3u);
-    EXPECT_EQ(curves[0].vertices[1], Vec3(4e-3, 5e-3, 6e-3));
-    EXPECT_TRUE(curves[1].closed);
-    EXPECT_EQ(curves[1].vertices.size(), 3u);  // A repeated first vertex would be an edge without length.
-}
+  private:
+    std::filesystem::path path_;
+};
 
-// Each mistake is told in one line with its place; a file of junk is not echoed to the terminal.
-TEST(Curves, BadFilesAreToldWithTheirLine) {
-    const auto bad = [](const std::string& text) { return error_of(written(text)); };
-    EXPECT_NE(bad("0 0 0\n1 nan 0\n").find("xyz:2: error: a coordinate is not finite"), std::string::npos);
-    EXPECT_NE(bad("0 0 0\n1 inf 0\n").find("xyz:2: error: a coordinate is not finite"), std::string::npos);
-    EXPECT_NE(bad("0 0 0\n1 1e999 0\n").find("xyz:2: error: not a vertex"), std::string::npos);
-    EXPECT_NE(bad("0 0 0\n1 0\n").find("xyz:2: error: not a vertex"), std::string::npos);
-    EXPECT_NE(bad("0 0 0\n1 0 0 0\n").find("xyz:2: error: more than three"), std::string::npos);
-    EXPECT_NE(bad("\n1 2 3\n").find("xyz:2: error: a curve of one place"), std::string::npos);
-    EXPECT_NE(bad("").find("xyz: error: no vertices"), std::string::npos);
-    EXPECT_NE(error_of(testing::TempDir()).find("error: is no file"), std::string::npos);
-    EXPECT_NE(error_of("missing.xyz").find("error: no such file"), std::string::npos);
-    EXPECT_NE(error_of(written("1 2 3\n", ".stl")).find("'.stl' is not a known kind"), std::string::npos);
-    const std::string junk =
-        bad(std::string("\x7f"
-                        "ELF\0\1\x1b[31m\xff",
-                        12));
-    EXPECT_NE(junk.find("xyz:1: error: not a vertex"), std::string::npos);
-    EXPECT_EQ(junk.find('\x1b'), std::string::npos);
-    EXPECT_EQ(junk.find('\n'), std::string::npos);
-}
-
-// The program itself: one line on stderr and exit code 2, nothing on stdout.
-TEST(Curves, TheProgramAnswersABadFileWithExitTwo) {
-    const auto file = written("0 0 0\n1 nan 0\n");
-    const auto out = std::filesystem::path(testing::TempDir()) / "carrel-curve-out";
-    const std::string command =
-        std::string(CARREL_PROGRAM) + " knot --json '" + file.string() + "' > '" + out.string() + "'";
-    EXPECT_EQ(std::system((command + " 2> /dev/null").c_str()), 2 * 256);
-    EXPECT_EQ(std::filesystem::file_size(out), 0u);
+std::string fault(const std::string& text, const std::string& name = "curve.xyz") {
+    const File file(text, name);
+    try {
+        assets::load_curve(file.path());
+    } catch (const assets::AssetError& error) {
+        return std::string(error.what()).substr(file.path().string().size());
+    }
+    return "no fault";
 }
 
 }  // namespace
 
-}  // namespace assets
+TEST(LoadCurve, ReadsComponentsInMillimetres) {
+    const File file("# two\n1 2 3\r\n4,5,6 # end\n\n\n0 0 0\n1 0 0\n# a comment parts nothing\n1 1 0\n0 0 0\n");
+    const auto curve = assets::load_curve(file.path());
+    ASSERT_EQ(curve.components.size(), 2u);
+    EXPECT_FALSE(curve.components[0].closed);
+    EXPECT_EQ(curve.components[0].vertices[1], 1e-3 * assets::Vec3(4, 5, 6));
+    EXPECT_TRUE(curve.components[1].closed);
+    EXPECT_EQ(curve.components[1].vertices.size(), 3u);
+    EXPECT_EQ(curve.place(1, 2), file.path().string() + ":9");
+}
+
+TEST(LoadCurve, ReadsLinesOfObjAndVerticesOfPly) {
+    const File obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 5 5\nv 6 6 6\nl 1 2 3 1\nl 4 5\n", "lines.obj");
+    const auto lines = assets::load_curve(obj.path());
+    ASSERT_EQ(lines.components.size(), 2u);
+    EXPECT_TRUE(lines.components[0].closed);
+    EXPECT_EQ(lines.components[0].vertices.size(), 3u);
+    const File ply(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 "
+        "0 0\n1 0 0\n",
+        "v.ply");
+    EXPECT_EQ(assets::load_curve(ply.path()).components.at(0).vertices.size(), 2u);
+}
+
+// Every way a file can be wrong names the line and says what would be right.
+TEST(LoadCurve, SaysWhereAndWhatIsWrong) {
+    EXPECT_EQ(fault(""), ": error: holds no vertices; expected one 'x y z' in mm a line");
+    EXPECT_EQ(fault("0 0 0\n"), ":1: error: a component of one vertex; expected at least two");
+    EXPECT_EQ(fault("0 0 0\n1 nan 0\n"), ":2:3: error: expected a finite coordinate within 1e9 mm, found 'nan'");
+    EXPECT_EQ(fault("0 0 0\n1 0 1e999\n"), ":2:5: error: expected a finite coordinate within 1e9 mm, found '1e999'");
+    EXPECT_EQ(fault("0 0 0\n1 0x 0\n"), ":2:3: error: expected a number, found '0x'; a line is 'x y z' in mm");
+    EXPECT_EQ(fault("0 0\n"), ":1: error: expected three numbers 'x y z' in mm, found 2");
+    EXPECT_EQ(fault("1 1 1\n1 1 1\n"), ":1: error: all vertices of this component are in one place; expected a curve");
+    EXPECT_EQ(fault("\xffx"), ":1:1: error: expected a number, found '?x'; a line is 'x y z' in mm");
+    EXPECT_EQ(fault(std::string(100000, '1')),
+              ":1: error: a line of more than 4000 characters is not a vertex 'x y z'");
+    EXPECT_EQ(fault("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "face.obj"),
+              ": error: holds faces, not lines; expected a curve");
+    EXPECT_NE(fault("\x01\x02\x03", "junk.ply").find(": error: "), std::string::npos);
+    EXPECT_THROW(assets::load_curve(testing::TempDir()), assets::AssetError);
+    EXPECT_THROW(assets::load_curve("no/such/file.xyz"), assets::AssetError);
+    std::string many;
+    for (int i = 0; i <= assets::most_curve_vertices; ++i) many += "1 1 1\n";
+    EXPECT_EQ(fault(many), ":200001: error: more than 200000 vertices; resample the curve to fewer");
+}

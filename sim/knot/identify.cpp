@@ -1,0 +1,112 @@
+#include "sim/knot/identify.hpp"
+
+#include <algorithm>
+
+#include "sim/knot/colouring.hpp"
+#include "sim/knot/homfly.hpp"
+#include "sim/knot/projection.hpp"
+#include "sim/knot/table.hpp"
+
+namespace sim::knot {
+
+namespace {
+
+// A diagram of at most 10 crossings is of a type in the table, and polynomial and colours tell those apart. The unknot
+// is also certain up to 24 crossings: no other knot of that size has its Jones polynomial (Tuzun and Sikora 2021).
+constexpr int certain_crossings = 10, certain_unknot_crossings = 24;
+
+// Beyond this a diagram is not taken further: no view has ever brought such a tangle to a name.
+constexpr int hopeless_crossings = 100;
+
+bool fits(const Diagram& knot, Group group, const std::vector<std::vector<int>>& vectors) {
+    const auto found = colouring_vector(knot, group);
+    return !found || std::find(vectors.begin(), vectors.end(), *found) != vectors.end();
+}
+
+// One summand that does not visibly split further.
+Identity identify_summand(const Diagram& knot) {
+    Identity identity;
+    identity.crossings = knot.crossings();
+    if (knot.crossings() == 0) return identity;
+    const auto polynomial = homfly(knot);
+    std::vector<const KnownKnot*> fitting;
+    if (polynomial) fitting = knots_with(*polynomial);
+    if (fitting.size() > 1) std::erase_if(fitting, [&](auto* k) { return !fits(knot, Group::psl27, k->psl27); });
+    if (fitting.size() > 1) std::erase_if(fitting, [&](auto* k) { return !fits(knot, Group::a5, k->a5); });
+    identity.known = fitting.size() == 1;
+    identity.certain = knot.crossings() <= certain_crossings ||
+                       (identity.known && fitting[0]->crossings == 0 && knot.crossings() <= certain_unknot_crossings);
+    if (identity.known) {
+        identity.factors = fitting[0]->factors;
+        identity.crossings = fitting[0]->crossings;
+    }
+    if (!identity.certain || !identity.known)
+        for (const auto* k : fitting) identity.candidates.push_back(name_of(k->factors));
+    identity.certain = identity.certain && identity.known;
+    return identity;
+}
+
+void add(Identity& whole, const Identity& part) {
+    whole.factors.insert(whole.factors.end(), part.factors.begin(), part.factors.end());
+    whole.known = whole.known && part.known;
+    whole.certain = whole.certain && part.certain;
+    whole.crossings += part.crossings;
+}
+
+bool small_enough(Diagram diagram) {
+    const std::vector<Summand> summands = cut_summands(diagram);
+    const auto small = [](const Summand& s) { return s.diagram.crossings() <= certain_crossings; };
+    if (!std::all_of(summands.begin(), summands.end(), small)) return false;
+    const auto pieces = split_pieces(diagram);
+    // The table of links ends at nine crossings.
+    return std::all_of(pieces.begin(), pieces.end(),
+                       [](const Piece& p) { return p.diagram.crossings() < certain_crossings; });
+}
+
+}  // namespace
+
+std::string Identity::name() const {
+    return known ? name_of(factors) : "unknown";
+}
+
+bool Identity::operator==(const Identity& o) const {
+    return known == o.known && factors.size() == o.factors.size() && name() == o.name();
+}
+
+Identity identify(Diagram knot) {
+    simplify(knot);
+    Identity whole;
+    if (knot.crossings() > hopeless_crossings) {
+        whole.known = whole.certain = false;
+        whole.crossings = knot.crossings();
+        return whole;
+    }
+    std::vector<Identity> parts;
+    for (const Summand& summand : cut_summands(knot)) parts.push_back(identify_summand(summand.diagram));
+    for (const Identity& part : parts) add(whole, part);
+    sort_factors(whole.factors);
+    if (!whole.certain && whole.known) whole.candidates = {whole.name()};
+    if (!whole.known && parts.size() == 1) whole.candidates = parts.front().candidates;
+    return whole;
+}
+
+Seen best_view(Polygons polygons) {
+    // 24 views bring 99 of 100 curves to their least crossings, the first does for most.
+    constexpr int views = 24, most_vertices = 3000, most_crossings = 3000;
+    Seen best;
+    drop_empty_triangles(polygons);
+    std::size_t vertices = 0;
+    for (const auto& polygon : polygons) vertices += polygon.size();
+    for (int i = 0; i < views && vertices <= most_vertices; ++i) {
+        auto diagram = project(polygons, direction(i), most_crossings);
+        if (!diagram) continue;
+        if (!best.found) best.projected = diagram->crossings();
+        simplify(*diagram);
+        if (!best.found || diagram->crossings() < best.diagram.crossings()) best.diagram = std::move(*diagram);
+        best.found = true;
+        if (best.diagram.crossings() > hopeless_crossings || small_enough(best.diagram)) break;
+    }
+    return best;
+}
+
+}  // namespace sim::knot

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim/knot/curve.hpp"
+#include "sim/knot/diagram.hpp"
+#include "sim/knot/namer.hpp"
+
+namespace sim::knot {
+
+/// What a diagram is known to be.
+struct Identity {
+    std::vector<Factor> factors;  ///< Sorted.
+    bool known = true;            ///< False: not in the table, or too much work.
+    bool certain = true;
+    std::vector<std::string> candidates;
+    int crossings = 0;  ///< Of the types when known, else of the smallest diagram seen.
+
+    std::string name() const;
+    bool operator==(const Identity& o) const;
+};
+
+/// Names a knot diagram of one strand. Simplifies it first.
+Identity identify(Diagram knot);
+
+/// Views tried until a diagram is small enough to be named for certain.
+struct Seen {
+    Diagram diagram;     ///< Simplified, the fewest crossings found.
+    int projected = 0;   ///< Crossings of the first view before simplification.
+    bool found = false;  ///< False: no view could be used (too many crossings).
+};
+Seen best_view(Polygons polygons);
+
+}  // namespace sim::knot

@@ -1,0 +1,37 @@
+#pragma once
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sim/knot/namer.hpp"
+
+// Curves whose type is known: drawn from a formula, or read from tests/data/curves.
+namespace ropes {
+
+using sim::knot::Component;
+using sim::knot::Vec3;
+using Rope = std::vector<Vec3>;
+
+struct Labelled {
+    std::string id;
+    nlohmann::json label;
+    std::vector<Component> components;
+};
+
+/// All of tests/data/curves/labels.json; only the one named `id` when given.
+std::vector<Labelled> labelled(const std::string& id = "");
+
+/// A thread round a loop below, tied with the given throws from the loop upwards, both ends free at the top. Two
+/// strands run across one another in every throw, twisted (2 turns + 1) half turns about the x axis, right-handed or
+/// not.
+Rope tied(const std::vector<sim::knot::Throw>& throws);
+
+/// T(2, n), closed: on a torus, right-handed for positive n.
+Rope torus_knot(int n);
+
+Rope mirrored(Rope rope);
+Rope turned(Rope rope, std::mt19937& random);
+
+}  // namespace ropes
