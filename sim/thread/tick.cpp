@@ -178,6 +178,9 @@ double admissible_share(const State& state, const Motion& motion) {
     // Followers move no farther than their leader while links keep their length; a third is left for what contacts add.
     constexpr double for_leading = 0.7;
     if (motion.of_holds > 0) share = std::min(share, for_leading * least_bound / motion.of_holds);
+    // A tool part that was out of reach may come as near as its reach, no nearer, before we look again.
+    const double unseen = std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius);
+    if (motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
     for (const Contact& c : state.contacts) {
         if (c.against != Against::capsule) continue;
         const MovingCapsule& tool = state.input.capsules[static_cast<std::size_t>(c.other)];
