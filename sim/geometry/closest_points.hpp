@@ -17,38 +17,47 @@ struct ClosestPair {
 /// Input:      four finite points in one frame [m]. A segment may be a single point.
 /// Ties:       parallel segments give one of the equally close pairs, the same one every time.
 /// Guarantee:  both points lie on their segments, so no contact is ever reported that is not there.
-/// Errors:     none. Cost: no allocation, at most five candidate pairs.
-/// Source:     minimum of a convex quadratic on the unit square. [Ericson2005] 5.1.9 solves the same by clamping.
+/// Errors:     none. Cost: no allocation; some 10 ns, thrice that for segments parallel to within a thousandth.
+/// Source:     minimum of a convex quadratic on the unit square, by clamping [Ericson2005] 5.1.9.
 // In the header because the thread's contacts call it some thousand times a tick.
 inline ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
     const Vec3 da = a1 - a0, db = b1 - b0, r = a0 - b0;
     const double aa = da.squaredNorm(), bb = db.squaredNorm(), ab = da.dot(db), ra = r.dot(da), rb = r.dot(db);
-
-    // Candidates are compared by the quadratic itself, less its constant; its rounding decides only between places that
-    // are equally near to within rounding. Only the winner's points and distance are computed.
-    double best_s = 0, best_t = 0, best = 0;
-    const auto consider = [&](double s, double t) {
-        const double value = s * (s * aa + 2 * ra) + t * (t * bb - 2 * rb) - 2 * s * t * ab;
-        if (value < best) best_s = s, best_t = t, best = value;
+    const auto pair = [&](double s, double t) -> ClosestPair {
+        const Vec3 on_a = s == 1 ? a1 : Vec3(a0 + s * da), on_b = t == 1 ? b1 : Vec3(b0 + t * db);
+        return {s, t, on_a, on_b, (on_a - on_b).squaredNorm()};
     };
     // Place in [0, 1] where the derivative along one side vanishes. A segment of no length has one place: its start.
     const auto place = [](double slope, double curvature) {
         return curvature > 0 ? std::clamp(slope / curvature, 0.0, 1.0) : 0.0;
     };
-    // The inside first. Near parallel, s is inaccurate, but the pair it gives is still a real pair of points and only
-    // wins if it is closer than the sides. So parallel needs no threshold, and nothing depends on the unit of length.
+    // Well apart from parallel, s is good to a millionth of the rounding that decides between near ties, and the best t
+    // for it, clamped, then the best s for that, is the minimum. The squared sine is a share, so no unit enters.
+    constexpr double least_squared_sine = 1e-6;
     const double det = aa * bb - ab * ab;
+    if (det > least_squared_sine * aa * bb) {
+        const double s = std::clamp((ab * rb - bb * ra) / det, 0.0, 1.0), t = (rb + s * ab) / bb;
+        if (t < 0) return pair(place(-ra, aa), 0);
+        if (t > 1) return pair(place(ab - ra, aa), 1);
+        return pair(s, t);
+    }
+    // Near parallel the inside is inaccurate, but the pair it gives is still a real pair of points and only wins if it is
+    // closer than the sides of the square (s, t): an end of one segment against the whole of the other. Candidates are
+    // compared by the quadratic itself, less its constant.
+    double best_s = 0, best_t = 0, best = 0;
+    const auto consider = [&](double s, double t) {
+        const double value = s * (s * aa + 2 * ra) + t * (t * bb - 2 * rb) - 2 * s * t * ab;
+        if (value < best) best_s = s, best_t = t, best = value;
+    };
     if (det > 0) {
         const double s = (ab * rb - bb * ra) / det, t = (rb + s * ab) / bb;
         if (s > 0 && s < 1 && t > 0 && t < 1) consider(s, t);
     }
-    // The sides of the square (s, t): an end of one segment against the whole of the other.
     consider(0, place(rb, bb));
     consider(1, place(rb + ab, bb));
     consider(place(-ra, aa), 0);
     consider(place(ab - ra, aa), 1);
-    const Vec3 on_a = best_s == 1 ? a1 : Vec3(a0 + best_s * da), on_b = best_t == 1 ? b1 : Vec3(b0 + best_t * db);
-    return {best_s, best_t, on_a, on_b, (on_a - on_b).squaredNorm()};
+    return pair(best_s, best_t);
 }
 
 /// Closest points of a segment and a triangle: `on_a` on the segment at `s`, `on_b` on the triangle (`t` unused, 0).
