@@ -16,6 +16,7 @@ static Box box_of(const Triangle& t) {
 
 // Median split on the longest axis of the centres' box. Equal keys fall back on the index: one tree per input.
 TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+    for (const Triangle& t : triangles_) normals_.push_back((t.b - t.a).cross(t.c - t.a).normalized());
     order_.resize(triangles_.size());
     std::iota(order_.begin(), order_.end(), 0);
     if (triangles_.empty()) return;

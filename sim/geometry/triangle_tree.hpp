@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "sim/geometry/shapes.hpp"
@@ -15,6 +16,13 @@ class TriangleTree {
     /// every time). Allocates only if `found` must grow.
     void near(const Box& box, std::vector<int>& found) const;
 
+    /// What the segment's distance [m] from triangle `i` is at least: that from its plane.
+    double plane_gap(int i, const Vec3& a0, const Vec3& a1) const {
+        const Vec3& up = normals_[static_cast<std::size_t>(i)];
+        const double h0 = up.dot(a0 - (*this)[i].a), h1 = up.dot(a1 - (*this)[i].a);
+        return (h0 > 0) == (h1 > 0) ? std::min(std::abs(h0), std::abs(h1)) : 0;
+    }
+
     const Triangle& operator[](int i) const { return triangles_[static_cast<std::size_t>(i)]; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
     int size() const { return static_cast<int>(triangles_.size()); }
@@ -25,6 +33,7 @@ class TriangleTree {
         int first, count;  ///< Leaf: range in order_. Inner: count 0, children at first and first + 1.
     };
     std::vector<Triangle> triangles_;
+    std::vector<Vec3> normals_;  ///< Of unit length; zero for a triangle without area.
     std::vector<int> order_;
     std::vector<Node> nodes_;
 };

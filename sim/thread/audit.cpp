@@ -130,7 +130,10 @@ int audit(const State& state) {
         const Box swept = core.swept();
         for (int p = 0; p < blocks; ++p) {
             if (apart(boxes[static_cast<std::size_t>(p)], swept)) continue;
-            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) met += crossings(link(i), core);
+            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
+                const Moving moving = link(i);
+                if (!apart(moving.swept(), swept)) met += crossings(moving, core);
+            }
         }
     }
     if (state.input.surface)

@@ -9,16 +9,7 @@ using geometry::closest_points;
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static Vec3 along(const Vec3& a, const Vec3& b, double s) { return a + s * (b - a); }
-
-// How far the touching points have slid over each other since the substep began: those of the link minus the other's.
-static Vec3 slid(const State& state, const Contact& c, const ClosestPair& pair) {
-    Vec3 slip = pair.on_a - along(state.before[at(c.link)], state.before[at(c.link + 1)], pair.s);
-    if (c.against == Against::thread)
-        slip -= pair.on_b - along(state.before[at(c.other)], state.before[at(c.other + 1)], pair.t);
-    if (c.against == Against::capsule)
-        slip -= pair.on_b - along(state.capsules_before[at(c.other)].a, state.capsules_before[at(c.other)].b, pair.t);
-    return slip;
-}
+static Vec3 on_link(const std::vector<Vec3>& nodes, int link, double s) { return along(nodes[at(link)], nodes[at(link + 1)], s); }
 
 static void push_link(State& state, int link, double place, const Vec3& push) {
     state.nodes[at(link)] += state.inverse_mass[at(link)] * (1 - place) * push;
@@ -30,69 +21,102 @@ static double mobility(const State& state, int link, double place) {
 }
 
 // What passes stop for: strands into each other by a thirtieth of the thread's thickness, thread into steel or a wall by a
-// tenth of it, both out of sight.
-static double over_goal(const State& state, const Contact& c, double distance) {
-    const double goal = (c.against == Against::thread ? 0.03 : 0.1) * 2 * state.def.radius;
-    return std::max(0.0, (c.target - distance) / goal);
+// tenth of it, both out of sight. Friction that holds may leave a slip of as much as strands may overlap.
+constexpr double strand_goal = 0.03;
+static double over_goal(const State& state, const Row& row, double distance) {
+    const double goal = (row.against == Against::thread ? strand_goal : 0.1) * 2 * state.def.radius;
+    return std::max(0.0, (row.target - distance) / goal);
 }
 
 // What tools wait for: strands by a twentieth, for there topology is at stake; a centre line half way to a tool's axis or
 // to a wall, which only a thread that is trapped comes to.
-static double over_limit(const Contact& c, double distance) {
-    const double limit = (c.against == Against::thread ? 0.05 : 0.5) * c.thickness;
-    return std::max(0.0, (c.thickness - distance) / limit);
+double over_limit(Against against, double thickness, double distance) {
+    const double limit = (against == Against::thread ? 0.05 : 0.5) * thickness;
+    return std::max(0.0, (thickness - distance) / limit);
 }
 
-// Projected Gauss-Seidel on one contact: the normal push never pulls, the tangential one stays in Coulomb's cone. Both
-// are totals of the substep, so neither depends on how many passes are made or how long a tick is.
-static double resolve(State& state, Contact& c) {
-    const ClosestPair pair = nearest(state, c);
-    const double distance = std::sqrt(pair.distance_squared);
-    if (distance > c.target && c.normal_push == 0) return 0;
-    if (distance > 0) c.normal = (pair.on_a - pair.on_b) / distance;
+static Vec3 other_point(const State& state, const Row& row) {
+    return row.against == Against::thread ? on_link(state.nodes, row.other, row.t) : row.fixed;
+}
 
-    double weight = mobility(state, c.link, pair.s);
-    if (c.against == Against::thread) weight += mobility(state, c.other, pair.t);
-    if (weight == 0) return 0;  // both held: nothing to push
+// Projected Gauss-Seidel on one row: the normal push never pulls, the tangential one stays in Coulomb's cone. Both are
+// totals of the substep, so neither depends on how many passes are made or how long a tick is.
+static double resolve(State& state, Row& row) {
+    const Vec3 apart = on_link(state.nodes, row.link, row.s) - other_point(state, row);
+    const double distance = apart.dot(row.normal);
+    if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
 
-    const double wanted = std::max(0.0, c.normal_push + (c.target - distance) / weight);
-    Vec3 push = (wanted - c.normal_push) * c.normal;
-    c.normal_push = wanted;
+    const double wanted = std::max(0.0, row.normal_push + (row.target - distance) / row.mobility);
+    Vec3 push = (wanted - row.normal_push) * row.normal;
+    row.normal_push = wanted;
 
-    Vec3 slip = slid(state, c, pair);
-    slip -= slip.dot(c.normal) * c.normal;
-    Vec3 tangent = c.tangent_push - slip / weight;
-    const double limit = c.friction * c.normal_push, size = tangent.norm();
+    Vec3 slip = apart - row.start;
+    slip -= slip.dot(row.normal) * row.normal;
+    Vec3 tangent = row.tangent_push - slip / row.mobility;
+    const double limit = row.friction * row.normal_push, size = tangent.norm();
     if (size > limit) tangent *= limit / size;
-    push += tangent - c.tangent_push;
-    c.tangent_push = tangent;
+    push += tangent - row.tangent_push;
+    row.tangent_push = tangent;
 
-    push_link(state, c.link, pair.s, push);
-    if (c.against == Against::thread) push_link(state, c.other, pair.t, -push);
-    return over_goal(state, c, distance);
+    push_link(state, row.link, row.s, push);
+    if (row.against == Against::thread) push_link(state, row.other, row.t, -push);
+    const bool sticks = size <= limit && limit > 0;
+    return std::max(over_goal(state, row, distance), sticks ? slip.norm() / (strand_goal * 2 * state.def.radius) : 0);
 }
 
 double resolve_contacts(State& state) {
     double worst = 0;
-    for (const int k : state.active) worst = std::max(worst, resolve(state, state.contacts[at(k)]));
+    for (Row& row : state.rows) worst = std::max(worst, resolve(state, row));
     return worst;
 }
 
-double worst_overlap(const State& state) {
+// Within a substep a wall is the plane through the point that was nearest when it began: the link moves by less than the
+// thread's radius meanwhile, and the next substep looks again.
+static void aim_at_wall(const State& state, Row& row) {
+    row.mobility = mobility(state, row.link, row.s);
+    row.distance = (on_link(state.nodes, row.link, row.s) - row.fixed).dot(row.normal);
+}
+
+static void aim_at(const State& state, Row& row, const ClosestPair& pair) {
+    row.s = pair.s;
+    row.t = pair.t;
+    row.fixed = pair.on_b;
+    row.start = on_link(state.before, row.link, row.s);
+    row.mobility = mobility(state, row.link, row.s);
+    row.distance = std::sqrt(pair.distance_squared);
+    if (row.distance > 0) row.normal = (pair.on_a - pair.on_b) / row.distance;
+}
+
+double aim(State& state) {
     double worst = 0;
-    for (const int k : state.active) {
-        const Contact& c = state.contacts[at(k)];
-        worst = std::max(worst, over_limit(c, std::sqrt(nearest(state, c).distance_squared)));
+    for (Row& row : state.rows) {
+        const Vec3 &a0 = state.nodes[at(row.link)], &a1 = state.nodes[at(row.link + 1)];
+        switch (row.against) {
+            case Against::thread:
+                aim_at(state, row, closest_points(a0, a1, state.nodes[at(row.other)], state.nodes[at(row.other + 1)]));
+                row.start -= on_link(state.before, row.other, row.t);
+                row.mobility += mobility(state, row.other, row.t);
+                break;
+            case Against::capsule: {
+                const Capsule &now = state.capsules[at(row.other)], &then = state.capsules_before[at(row.other)];
+                aim_at(state, row, closest_points(a0, a1, now.a, now.b));
+                row.start -= along(then.a, then.b, row.t);
+                break;
+            }
+            case Against::surface: aim_at_wall(state, row); break;
+        }
+        worst = std::max(worst, over_limit(row.against, row.thickness, row.distance));
     }
     return worst;
 }
 
 // A round thread cannot bend tighter than its own radius. Two links of length l that turn by the angle a go round a
 // circle of radius l / (2 tan(a/2)), so their outer ends stay at least 2 l cos(a/2) apart.
+double least_span(double l, double radius) { return 2 * l * radius / std::sqrt(radius * radius + 0.25 * l * l); }
+
 void limit_bends(State& state) {
     for (std::size_t i = 1; i < state.rest.size(); ++i) {
-        const double l = 0.5 * (state.rest[i - 1] + state.rest[i]), r = state.def.radius;
-        const double least = 2 * l * r / std::sqrt(r * r + 0.25 * l * l);
+        const double least = state.least_span[i];
         const Vec3 d = state.nodes[i + 1] - state.nodes[i - 1];
         const double length2 = d.squaredNorm();
         if (length2 >= least * least || length2 == 0) continue;

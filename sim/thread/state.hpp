@@ -12,20 +12,31 @@ namespace sim::thread {
 
 enum class Against : std::uint8_t { thread, capsule, surface };
 
-/// A link near something. Pushes are position corrections in units of 1/inverse mass, gathered over one substep.
+/// A link near something: what bounds its nodes, and whether it may touch in this substep.
 struct Contact {
     Against against;
     int link, other;              ///< `other`: link, capsule or triangle.
-    double gap;                   ///< Centre-line distance to the other's centre line or surface, substep start [m].
     double thickness;             ///< Distance at which the two touch [m].
-    double friction;              ///< Coulomb coefficient.
-    double target = 0;            ///< Distance to come to in this substep: `thickness`, or less when deep inside [m].
-    double place = 0;             ///< Where along the other's axis it is nearest, 0..1, substep start.
-    double link_place = 0;        ///< Where along the link, 0..1, and
-    Vec3 wall = Vec3::Zero();     ///< which point of a surface is nearest, substep start.
+    double measured, measured_at; ///< Centre-line distance to the other's centre line or surface, and `moved` then [m].
+    double place;                 ///< Where along the other's axis it was nearest then, 0..1.
+    double gap = 0;               ///< What the distance is at least, as the substep begins [m].
+};
+
+/// A contact that may touch in this substep, linearised: the point at `s` of the link must stay `target` away along
+/// `normal` from the point at `t` of the other. Pushes are totals of the substep, in metres over inverse mass.
+struct Row {
+    Against against;
+    int link, other;
+    double thickness, friction;
+    double target;                ///< Distance to come to in this substep: `thickness`, or less when deep inside [m].
+    double s, t;                  ///< 0..1
+    Vec3 normal;                  ///< From the other towards the link; last one known.
+    Vec3 start;                   ///< From the other's point to the link's when the substep began.
+    Vec3 fixed;                   ///< The other's point now, when the other is not the thread.
+    double distance;              ///< When last aimed [m].
+    double mobility = 0;          ///< Distance gained by a unit push.
     double normal_push = 0;       ///< >= 0.
     Vec3 tangent_push = Vec3::Zero();
-    Vec3 normal = Vec3::UnitZ();  ///< From the other towards the link; last one known.
 };
 
 struct State {
@@ -38,25 +49,30 @@ struct State {
     std::vector<double> rest;          ///< [m]
     int skip;                          ///< Links closer than this in order are neighbours: bending, not contact.
 
+    std::vector<double> least_span;    ///< Per inner node: least distance of its neighbours, by the thread's thickness [m].
+
     // One tick.
     std::vector<double> inverse_mass;  ///< 1, or 0 for a held node.
     std::vector<Vec3> hold_from;       ///< Per hold: where its node was when the tick began.
     TickInput input;
-    std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected.
-    double reach = 0;                  ///< [m]
-    double moved = 0;                  ///< Sum of largest node moves (and tool moves) since then [m].
     double progress = 0;               ///< Share of the tick's motion applied so far.
 
     // One substep.
     std::vector<Vec3> before;          ///< Nodes when the substep began.
     std::vector<double> bound;         ///< How far each node may move in this substep [m].
     std::vector<Capsule> capsules, capsules_before;
-    std::vector<int> active;           ///< Contacts that can touch in this substep.
+    std::vector<Row> rows;             ///< Contacts that can touch in this substep.
 
     // Carried from tick to tick.
+    std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected.
+    double reach = 0;                  ///< [m]
+    double moved = 0;                  ///< Sum of largest node moves (and tool moves) since then [m].
+    std::vector<int> seen;             ///< Holds, owners and capsules that the contacts were detected for ...
+    const void* seen_surface = nullptr;
     std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
     double drift_way = 0;              ///< ... while held nodes or tools went this far [m].
     double trust = 1;                  ///< Share of the admissible step that the last substep managed.
+    int refused = 0;                   ///< Substeps undone so far.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
 
@@ -82,23 +98,29 @@ void follow_leader(State& state);
 
 /// One Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it (lengths.cpp).
 double solve_lengths(State& state);
-double worst_stretch(const State& state);
+double worst_stretch(const State& state, const std::vector<Vec3>& nodes);
 
-/// Every pair within reach; resets `moved` (detect.cpp).
-void detect(State& state, double reach);
-/// Gaps of all contacts as the nodes stand, the bound of each node from them, and which contacts are active.
+/// Every pair within `reach` of each other, where it is not known already (detect.cpp).
+void look_around(State& state, double way);
+/// Gaps of all contacts as the nodes stand, the bound of each node from them, and the rows (gaps.cpp).
 void measure_gaps(State& state);
 
-/// Closest points of a contact's link and its other, as both stand now.
-geometry::ClosestPair nearest(const State& state, const Contact& contact);
-
-/// One pass over active contacts with friction; returns the worst overlap found before it, 1 where it is small enough
-/// (resolve.cpp).
+/// Rows to the nearest points as everything stands now; returns the worst overlap, 1 where tools must wait (resolve.cpp).
+double aim(State& state);
+/// One pass over all rows with friction; returns the worst overlap found before it, 1 where it is small enough.
 double resolve_contacts(State& state);
-/// Worst overlap of any contact, 1 where tools must wait.
-double worst_overlap(const State& state);
-/// Keeps every bend no tighter than the thread's own radius.
+/// Overlap of a pair at this distance, 1 where tools must wait.
+double over_limit(Against against, double thickness, double distance);
+/// The least distance [m] between the outer ends of two links of length `l` [m] that turn about a thread of `radius` [m].
+double least_span(double l, double radius);
+/// Keeps every bend no tighter than that.
 void limit_bends(State& state);
+
+/// Contacts and lengths in turn until neither is violated; returns the worst violation left, 1 where tools must wait
+/// (relax.cpp).
+double relax(State& state);
+/// No node leaves its bound, whatever stage moved it.
+void clip(State& state);
 
 /// Pass-throughs between `before` and `nodes`, found without using contacts or bounds (audit.cpp).
 int audit(const State& state);

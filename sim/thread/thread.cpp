@@ -17,11 +17,18 @@ static std::vector<double> lengths_of(const std::vector<Vec3>& nodes) {
     return lengths;
 }
 
+static std::vector<double> spans_of(const std::vector<double>& rest, double radius) {
+    std::vector<double> spans(rest.size(), 0.0);
+    for (std::size_t i = 1; i < rest.size(); ++i) spans[i] = least_span(0.5 * (rest[i - 1] + rest[i]), radius);
+    return spans;
+}
+
 State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     : def(thread_def),
       nodes(std::move(start_nodes)),
       rest(lengths_of(nodes)),
       skip(neighbours(def.radius, *std::min_element(rest.begin(), rest.end()))),
+      least_span(spans_of(rest, def.radius)),
       inverse_mass(nodes.size(), 1.0),
       before(nodes),
       bound(nodes.size(), 0.0),
@@ -65,8 +72,11 @@ std::uint64_t Thread::hash() const {
         for (int c = 0; c < 3; ++c) add(p[c]);
     for (const Vec3& p : impl_->state.drift)
         for (int c = 0; c < 3; ++c) add(p[c]);
+    for (const Contact& c : impl_->state.contacts) add(c.measured - 2 * c.measured_at);
+    add(impl_->state.moved);
     add(impl_->state.drift_way);
     add(impl_->state.trust);
+    add(impl_->state.refused);
     add(impl_->state.settled);
     return hash;
 }

@@ -22,6 +22,14 @@ void place_capsules(State& state, std::vector<Capsule>& capsules, double progres
     }
 }
 
+double largest_capsule_move(const State& state) {
+    double moved = 0;
+    for (std::size_t c = 0; c < state.capsules.size(); ++c)
+        moved = std::max({moved, (state.capsules[c].a - state.capsules_before[c].a).norm(),
+                          (state.capsules[c].b - state.capsules_before[c].b).norm()});
+    return moved;
+}
+
 void begin(State& state, const TickInput& input) {
     state.input = input;
     state.progress = 0;
@@ -31,7 +39,10 @@ void begin(State& state, const TickInput& input) {
         state.inverse_mass[static_cast<std::size_t>(hold.node)] = 0;
         state.hold_from.push_back(state.nodes[static_cast<std::size_t>(hold.node)]);
     }
+    // Tools go on from where they stopped; should one have leapt, what was known of its surroundings is out of date.
+    state.capsules_before = state.capsules;
     place_capsules(state, state.capsules, 0);
+    if (state.capsules.size() == state.capsules_before.size()) state.moved += largest_capsule_move(state);
 }
 
 // The longest way any held node, and any tool part near the thread, is asked to go in this tick [m].
@@ -49,51 +60,7 @@ Motion motion_asked(const State& state) {
     return motion;
 }
 
-// No node leaves its bound, whatever stage moved it.
-void clip(State& state) {
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-        const Vec3 moved = state.nodes[i] - state.before[i];
-        const double distance2 = moved.squaredNorm(), bound = state.bound[i];
-        if (distance2 > bound * bound) state.nodes[i] = state.before[i] + bound / std::sqrt(distance2) * moved;
-    }
-}
-
-// 1 where a tolerance is just used up.
-double violation(const State& state) { return std::max(worst_stretch(state) / stretch_tolerance, worst_overlap(state)); }
-
-// Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. One strand
-// that drags a long slack one by a single crossing converges slowly, for each pass moves the crossing by the share of one
-// link in the whole strand. Such an approach is geometric, so its limit can be had from two successive steps (Aitken).
-void relax(State& state) {
-    constexpr int most_passes = 24;  // a knot being tightened takes 5 to 15; what needs more is jammed
-    constexpr int between_jumps = 4;
-    constexpr double longest_jump = 20;  // in steps; two steps say no more than this about the limit
-    std::vector<Vec3>&last = state.last_pass, &step = state.last_step;
-    for (int pass = 0; pass < most_passes; ++pass) {
-        last = state.nodes;
-        const double overlap = resolve_contacts(state);
-        limit_bends(state);
-        const double stretch = solve_lengths(state);
-        clip(state);
-        if (pass > 0 && overlap < 1 && stretch < 0.5) break;
-
-        double along = 0, before = 0;
-        for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-            const Vec3 now = state.nodes[i] - last[i];
-            along += now.dot(step[i]);
-            before += step[i].squaredNorm();
-            step[i] = now;
-        }
-        if (pass % between_jumps == between_jumps - 1 && along > 0 && before > 0) {
-            const double ratio = along / before, jump = ratio < 1 ? std::min(longest_jump, ratio / (1 - ratio)) : longest_jump;
-            for (std::size_t i = 0; i < state.nodes.size(); ++i)
-                if (state.inverse_mass[i] > 0) state.nodes[i] += jump * step[i];
-            clip(state);
-        }
-    }
-    for (int pass = 0; pass < 3 && solve_lengths(state) > 0.1 * stretch_tolerance; ++pass) clip(state);
-    clip(state);
-}
+constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jammed thread is still asked to make
 
 struct Substep {
     bool accepted = false;
@@ -106,11 +73,11 @@ struct Substep {
 // if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
 enum class Answer { drift, follow_the_leader };
 
-void try_answer(State& state, double progress, double way, Answer answer) {
+double try_answer(State& state, double progress, double way, Answer answer) {
     std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
-    for (const int k : state.active) {
-        state.contacts[static_cast<std::size_t>(k)].normal_push = 0;
-        state.contacts[static_cast<std::size_t>(k)].tangent_push.setZero();
+    for (Row& row : state.rows) {
+        row.normal_push = 0;
+        row.tangent_push.setZero();
     }
     if (answer == Answer::drift && state.drift_way > 0) {
         const double share = 0.9 * std::min(2.0, way / state.drift_way);
@@ -119,15 +86,12 @@ void try_answer(State& state, double progress, double way, Answer answer) {
     place_held(state, progress);
     if (answer == Answer::follow_the_leader) follow_leader(state);
     clip(state);
-    relax(state);
+    return relax(state);
 }
 
 double largest_move(const State& state) {
-    double moved = 0;
+    double moved = largest_capsule_move(state);
     for (std::size_t i = 0; i < state.nodes.size(); ++i) moved = std::max(moved, (state.nodes[i] - state.before[i]).norm());
-    for (std::size_t c = 0; c < state.capsules.size(); ++c)
-        moved = std::max({moved, (state.capsules[c].a - state.capsules_before[c].a).norm(),
-                          (state.capsules[c].b - state.capsules_before[c].b).norm()});
     return moved;
 }
 
@@ -143,20 +107,23 @@ double largest_move_over_bound(const State& state) {
 // Moves tools and held nodes on to `progress` and lets the thread answer. Undone unless the result is within tolerance
 // or no worse than what was there: so a thread that cannot follow stays as it is and the tools wait.
 Substep attempt(State& state, double progress, double way) {
-    const double was = violation(state);
+    double was = worst_stretch(state, state.nodes) / stretch_tolerance;
+    for (const Row& row : state.rows) was = std::max(was, over_limit(row.against, row.thickness, row.distance));
     state.before = state.nodes;
     state.capsules_before = state.capsules;
     place_capsules(state, state.capsules, progress);
     Substep result;
     for (const Answer answer : {Answer::drift, Answer::follow_the_leader}) {
-        try_answer(state, progress, way, answer);
-        const double is = violation(state);
+        // A thread that is jammed takes them in turn, tick by tick: what did not help a moment ago hardly helps now.
+        if (state.trust <= least_trust && state.refused % 2 != static_cast<int>(answer)) continue;
+        const double is = try_answer(state, progress, way, answer);
         result.accepted = is <= std::max(1.0, was);
         if (result.accepted) break;
         state.nodes = state.before;
     }
     if (!result.accepted) {
         state.capsules = state.capsules_before;
+        aim(state);  // rows are as near as they were
         return result;
     }
     for (std::size_t i = 0; i < state.nodes.size(); ++i) state.drift[i] = state.nodes[i] - state.before[i];
@@ -202,17 +169,13 @@ TickReport tick(State& state, const TickInput& input) {
     }
     begin(state, input);
     const Motion motion = motion_asked(state);
-    const double touching = 2 * state.def.radius;
-    // What was beyond reach cannot touch before something has moved by half the rest; then we look again.
-    const auto look_around = [&] { detect(state, 3 * touching); };
     if (motion.most() > 0 || !state.settled) {
-        look_around();
         constexpr int most_substeps = 64, most_refusals = 1;  // what is left after them is lag, not a late tick
         int refusals = 0;
         do {
-            if (2 * state.moved > state.reach - touching) look_around();
+            look_around(state, motion.most());
             measure_gaps(state);
-            report.contacts = std::max(report.contacts, static_cast<int>(state.active.size()));
+            report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
             const double share = admissible_share(state, motion) * state.trust;
             const double next = motion.most() > 0 ? std::min(1.0, state.progress + share) : 1.0;
             const Substep step = attempt(state, next, (next - state.progress) * motion.most());
@@ -223,7 +186,7 @@ TickReport tick(State& state, const TickInput& input) {
                 state.progress = next;
                 state.trust = std::min(1.0, 2 * state.trust);
             } else {
-                constexpr double least_trust = 1.0 / 64;
+                ++state.refused;
                 state.trust = std::max(least_trust, state.trust / 4);
                 state.settled = motion.most() == 0;  // nothing better can be found and nothing asks for more
                 ++refusals;
@@ -232,9 +195,9 @@ TickReport tick(State& state, const TickInput& input) {
         report.fraction = motion.most() > 0 ? state.progress : 1;
     }
     estimate_tension(state);
-    report.stretch_max = worst_stretch(state);
-    for (const Contact& c : state.contacts)
-        if (c.against == Against::thread) report.separation_min = std::min(report.separation_min, c.gap / c.thickness);
+    report.stretch_max = worst_stretch(state, state.nodes);
+    for (const Row& row : state.rows)
+        if (row.against == Against::thread) report.separation_min = std::min(report.separation_min, row.distance / row.thickness);
     return report;
 }
 

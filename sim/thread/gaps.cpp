@@ -1,0 +1,75 @@
+#include "sim/geometry/closest_points.hpp"
+#include "sim/thread/state.hpp"
+
+namespace sim::thread {
+
+using geometry::ClosestPair;
+using geometry::closest_points;
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+static void tighten(State& state, int link, double room) {
+    state.bound[at(link)] = std::min(state.bound[at(link)], room);
+    state.bound[at(link + 1)] = std::min(state.bound[at(link + 1)], room);
+}
+
+// A node may use `bound_share` of the distance from either of its links to whatever they are not joined to. A surface
+// stands still, so the thread may use both shares.
+static void bound_nodes(State& state, const Contact& c) {
+    tighten(state, c.link, (c.against == Against::surface ? 2 : 1) * bound_share * c.gap);
+    if (c.against == Against::thread) tighten(state, c.other, bound_share * c.gap);
+}
+
+static ClosestPair nearest(const State& state, const Contact& c) {
+    const Vec3 &a0 = state.nodes[at(c.link)], &a1 = state.nodes[at(c.link + 1)];
+    if (c.against == Against::surface) return closest_points(a0, a1, (*state.input.surface)[c.other]);
+    if (c.against == Against::capsule) return closest_points(a0, a1, state.capsules[at(c.other)].a, state.capsules[at(c.other)].b);
+    return closest_points(a0, a1, state.nodes[at(c.other)], state.nodes[at(c.other + 1)]);
+}
+
+static Row row_of(const State& state, const Contact& c, const ClosestPair& pair) {
+    const double friction = c.against == Against::capsule ? state.def.friction_tool : state.def.friction;
+    const Vec3 apart = pair.on_a - pair.on_b;
+    const Vec3 normal = c.gap > 0 ? Vec3(apart / c.gap) : Vec3::UnitZ();
+    return {c.against, c.link, c.other, c.thickness, friction, 0, pair.s, pair.t, normal, apart, pair.on_b, c.gap};
+}
+
+// A substep moves what touches by less than a radius each; what is missed now is met next time, outside its bound still.
+static double closing(const State& state) { return 2 * state.def.radius; }
+
+// Brings the gap up to date where it may matter. Nothing has come nearer by more than twice `moved` since it was measured,
+// and a link is no nearer to a triangle than to its plane: what that leaves far enough off need not be measured again.
+static void measure(State& state, Contact& c) {
+    constexpr double still_good = 0.75;
+    const double touchable = c.thickness + closing(state), at_least = c.measured - 2 * (state.moved - c.measured_at);
+    c.gap = at_least;
+    if (at_least > touchable && at_least > still_good * c.measured) return;
+    c.measured_at = state.moved;
+    if (c.against == Against::surface) {
+        c.gap = c.measured = state.input.surface->plane_gap(c.other, state.nodes[at(c.link)], state.nodes[at(c.link + 1)]);
+        if (c.gap > touchable) return;
+    }
+    const ClosestPair pair = nearest(state, c);
+    c.gap = c.measured = std::sqrt(pair.distance_squared);
+    c.place = pair.t;
+    if (c.gap < touchable) state.rows.push_back(row_of(state, c, pair));
+}
+
+void measure_gaps(State& state) {
+    // Things not among the contacts were farther than `reach`.
+    std::fill(state.bound.begin(), state.bound.end(), bound_share * std::max(0.0, state.reach - 2 * state.moved));
+    state.rows.clear();
+    for (Contact& c : state.contacts) {
+        measure(state, c);
+        bound_nodes(state, c);
+    }
+    const auto room = [&](const Row& row, auto choose) { return choose(state.bound[at(row.link)], state.bound[at(row.link + 1)]); };
+    const auto most = [](double a, double b) { return std::max(a, b); };
+    const auto least = [](double a, double b) { return std::min(a, b); };
+    std::erase_if(state.rows, [&](const Row& row) { return row.distance >= row.thickness + 2 * room(row, most); });
+    // No more overlap is undone at once than leaves the nodes most of their bound: clipped moves would stretch links.
+    constexpr double for_parting = 0.25;
+    for (Row& row : state.rows) row.target = std::min(row.thickness, row.distance + for_parting * room(row, least));
+}
+
+}  // namespace sim::thread
