@@ -32,6 +32,7 @@ bench: build
 	@grep -A 4 '"tick_us"' out/bench/result.json
 
 format:
+	@tools/packages.sh git clang-format
 	git ls-files '*.cpp' '*.hpp' | xargs clang-format -i
 
 clean:

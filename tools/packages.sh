@@ -1,7 +1,14 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that building and testing Carrel takes. Does nothing when all are there.
-#   tools/packages.sh [--dry-run]      --dry-run: only says what is missing; exit 0 either way
+#   tools/packages.sh [--dry-run] [PACKAGE...]      --dry-run: only says what is missing; exit 0 either way
+#   PACKAGE: what a further task needs besides, such as clang-format
 set -euo pipefail
+
+dry_run=
+if [[ ${1:-} == --dry-run ]]; then
+    dry_run=1
+    shift
+fi
 
 packages=(
     g++ make cmake ninja-build pkg-config
@@ -13,6 +20,7 @@ packages=(
     nlohmann-json3-dev libcli11-dev libsqlite3-dev libzstd-dev
     libssl-dev        # SHA-256
     libgtest-dev libbenchmark-dev
+    "$@"
 )
 
 if ! command -v apt-get > /dev/null; then
@@ -27,7 +35,7 @@ for package in "${packages[@]}"; do
 done
 ((${#missing[@]})) || exit 0
 
-if [[ ${1:-} == --dry-run ]]; then
+if [[ $dry_run ]]; then
     echo "packages: would install ${missing[*]}"
     exit 0
 fi

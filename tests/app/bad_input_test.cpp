@@ -91,6 +91,19 @@ TEST(BadInput, IsOneLineThatNamesTheFileAndExit2) {
     }
 }
 
+// A mistyped option is bad input like any other: one line that says what to look up.
+TEST(BadInput, AWrongCommandLineIsOneLineToo) {
+    for (const char* line : {"", "nope", "run", "run --nope", "replay", "knot --around", "rope --links many", "render --size"}) {
+        SCOPED_TRACE(line);
+        const fs::path errors = scratch() / "stderr";
+        const int status = std::system((std::string(CARREL_PROGRAM " ") + line + " > /dev/null 2> " + errors.string()).c_str());
+        const std::string said = read(errors);
+        EXPECT_EQ(WEXITSTATUS(status), 2) << said;
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+        EXPECT_NE(said.find("--help"), std::string::npos) << said;
+    }
+}
+
 // A drill of a billion links must be refused, not tried.
 TEST(BadInput, ImpossibleSizesAndUnitsAreRefused) {
     const std::string good = read(drill);

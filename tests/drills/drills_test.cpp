@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace {
 
@@ -46,6 +48,21 @@ void expect_replays(const std::string& drill) {
     EXPECT_EQ(run("replay --verify " + file + " 2> /dev/null"), 0);
 }
 
+// A recording is proof only if a changed one is found out, and where.
+void expect_tampering_is_found(const std::string& drill) {
+    const fs::path forged = scratch(drill) / "forged.carrel", said = scratch(drill) / "forged.txt";
+    fs::copy_file(scratch(drill) / "session.carrel", forged, fs::copy_options::overwrite_existing);
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(forged.c_str(), &db), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(db, "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 3000", nullptr, nullptr, nullptr), SQLITE_OK);
+    EXPECT_EQ(sqlite3_changes(db), 1);
+    sqlite3_close(db);
+    EXPECT_EQ(run("replay --verify " + forged.string() + " > " + said.string() + " 2>&1"), 3);
+    std::ostringstream text;
+    text << std::ifstream(said).rdbuf();
+    EXPECT_NE(text.str().find("3000"), std::string::npos) << text.str();
+}
+
 TEST(Drills, SquareIsTiedNamedAndReplayed) {
     const Played played = play("square-knot");
     ASSERT_EQ(played.exit, 0);
@@ -54,6 +71,9 @@ TEST(Drills, SquareIsTiedNamedAndReplayed) {
     EXPECT_TRUE(played.result["passed"]);
     expect_sound(played.result);
     expect_replays("square-knot");
+    expect_tampering_is_found("square-knot");
+    // The shipped and the sanitized build, and any machine, must come to the same bits. Changes only with the simulation.
+    EXPECT_EQ(played.result["state_hash"], "58e84ed8385a2da3");
 }
 
 // The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips.
