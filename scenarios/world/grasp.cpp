@@ -80,10 +80,16 @@ void World::take_hold(Tool& tool) {
     const JawRoom room(tool.shape, tool.now.jaw);
     const int last = static_cast<int>(thread_.nodes().size()) - 1;
     const auto place = [&](int k) { return in_tool(tool.now, thread_.nodes()[static_cast<std::size_t>(k)]); };
+    // Where a link meets the middle plane; its y is set, as interpolation leaves a rounding error there.
+    const auto crossing = [](const Vec3& a, const Vec3& b) {
+        Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
+        p.y() = 0;
+        return p;
+    };
     const auto within = [&](int k) { return k >= 0 && k <= last && !is_held(k) && room.holds(place(k), tool.shape.jaw_radius); };
     for (int i = 0; i < last; ++i) {
         const Vec3 a = place(i), b = place(i + 1);
-        const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(a + a.y() / (a.y() - b.y()) * (b - a), 0);
+        const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(crossing(a, b), 0);
         const bool ends = (i == 0 && within(0)) || (i + 1 == last && within(last));
         if ((!passes && !ends) || is_held(i) || is_held(i + 1)) continue;
         int from = i, to = i + 1;

@@ -40,6 +40,8 @@ double solve_lengths(State& state) {
         const double left = state.inverse_mass[k], right = state.inverse_mass[k + 1];
         const double lower = k > 0 ? -left * state.unit[k - 1].dot(state.unit[k]) : 0;
         const double pivot = 1 / (left + right + compliance - lower * upper);
+        state.lower[k] = lower;
+        state.pivot[k] = pivot;
         state.multiplier[k] = (state.multiplier[k] - (k > 0 ? lower * state.multiplier[k - 1] : 0)) * pivot;
         upper = k + 1 < n ? -right * state.unit[k].dot(state.unit[k + 1]) * pivot : 0;
         state.upper[k] = upper;

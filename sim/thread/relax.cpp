@@ -11,41 +11,31 @@ void clip(State& state) {
     }
 }
 
-// Such an approach is geometric, so its limit can be had from two successive steps (Aitken).
-static void jump_to_limit(State& state, double along, double before) {
-    constexpr double longest_jump = 20;  // in steps; two steps say no more than this about the limit
-    const double ratio = along / before, jump = ratio < 1 ? std::min(longest_jump, ratio / (1 - ratio)) : longest_jump;
-    for (std::size_t i = 0; i < state.nodes.size(); ++i)
-        if (state.inverse_mass[i] > 0) state.nodes[i] += jump * state.last_step[i];
+static double pass(State& state, double (*contacts)(State&)) {
+    const double overlap = contacts(state);
+    limit_bends(state);
+    solve_lengths(state);
     clip(state);
+    return overlap;
 }
 
-// Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. One strand
-// that drags a long slack one by a single crossing converges slowly, for each pass moves the crossing by the share of one
-// link in the whole strand.
+// Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. Where one
+// strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole strand:
+// what a few passes have not settled is solved with contacts and lengths together.
 double relax(State& state) {
-    constexpr int most_passes = 24;  // a knot being tightened takes 5 to 15; what needs more is jammed
-    constexpr int between_jumps = 4, between_aims = 4;
-    std::vector<Vec3>&last = state.last_pass, &step = state.last_step;
-    for (int pass = 0; pass < most_passes; ++pass) {
-        last = state.nodes;
-        if (pass % between_aims == 0) aim(state);
-        const double overlap = resolve_contacts(state);
-        limit_bends(state);
-        solve_lengths(state);
-        clip(state);
-        if (pass > 0 && overlap < 1) break;
-
-        double along = 0, before = 0;
-        for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-            const Vec3 now = state.nodes[i] - last[i];
-            along += now.dot(step[i]);
-            before += step[i].squaredNorm();
-            step[i] = now;
-        }
-        if (pass % between_jumps == between_jumps - 1 && along > 0 && before > 0) jump_to_limit(state, along, before);
+    constexpr int most_passes = 8, between_aims = 4, most_couplings = 4;
+    double overlap = 1;
+    for (int i = 0; i < most_passes && overlap >= 1; ++i) {
+        if (i % between_aims == 0) aim(state);
+        overlap = pass(state, resolve_contacts);
+        if (i == 0) overlap = std::max(overlap, 1.0);
     }
-    for (int pass = 0; pass < 3 && solve_lengths(state) > 0.1 * stretch_tolerance; ++pass) clip(state);
+    for (int i = 0; i < most_couplings && overlap >= 1; ++i) {
+        aim(state);
+        pass(state, couple);
+        overlap = pass(state, resolve_contacts);
+    }
+    for (int i = 0; i < 3 && solve_lengths(state) > 0.1 * stretch_tolerance; ++i) clip(state);
     clip(state);
     return std::max(worst_stretch(state, state.nodes) / stretch_tolerance, aim(state));
 }

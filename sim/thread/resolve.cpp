@@ -20,10 +20,7 @@ static double mobility(const State& state, int link, double place) {
     return state.inverse_mass[at(link)] * (1 - place) * (1 - place) + state.inverse_mass[at(link + 1)] * place * place;
 }
 
-// What passes stop for: strands into each other by a thirtieth of the thread's thickness, thread into steel or a wall by a
-// tenth of it, both out of sight. Friction that holds may leave a slip of as much as strands may overlap.
-constexpr double strand_goal = 0.03;
-static double over_goal(const State& state, const Row& row, double distance) {
+double over_goal(const State& state, const Row& row, double distance) {
     const double goal = (row.against == Against::thread ? strand_goal : 0.1) * 2 * state.def.radius;
     return std::max(0.0, (row.target - distance) / goal);
 }
@@ -35,33 +32,38 @@ double over_limit(Against against, double thickness, double distance) {
     return std::max(0.0, (thickness - distance) / limit);
 }
 
-static Vec3 other_point(const State& state, const Row& row) {
-    return row.against == Against::thread ? on_link(state.nodes, row.other, row.t) : row.fixed;
+Vec3 apart_of(const State& state, const Row& row) {
+    return on_link(state.nodes, row.link, row.s) -
+           (row.against == Against::thread ? on_link(state.nodes, row.other, row.t) : row.fixed);
 }
 
-// Projected Gauss-Seidel on one row: the normal push never pulls, the tangential one stays in Coulomb's cone. Both are
-// totals of the substep, so neither depends on how many passes are made or how long a tick is.
-static double resolve(State& state, Row& row) {
-    const Vec3 apart = on_link(state.nodes, row.link, row.s) - other_point(state, row);
-    const double distance = apart.dot(row.normal);
-    if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
+void push_apart(State& state, const Row& row, const Vec3& push) {
+    push_link(state, row.link, row.s, push);
+    if (row.against == Against::thread) push_link(state, row.other, row.t, -push);
+}
 
-    const double wanted = std::max(0.0, row.normal_push + (row.target - distance) / row.mobility);
+Vec3 push_of(Row& row, const Vec3& apart, double mobility, double tangent_mobility) {
+    const double wanted = std::max(0.0, row.normal_push + (row.target - apart.dot(row.normal)) / mobility);
     Vec3 push = (wanted - row.normal_push) * row.normal;
     row.normal_push = wanted;
 
     Vec3 slip = apart - row.start;
     slip -= slip.dot(row.normal) * row.normal;
-    Vec3 tangent = row.tangent_push - slip / row.mobility;
+    Vec3 tangent = row.tangent_push - slip / tangent_mobility;
     const double limit = row.friction * row.normal_push, size = tangent.norm();
+    row.slip = size <= limit && limit > 0 ? slip.norm() : 0;
     if (size > limit) tangent *= limit / size;
     push += tangent - row.tangent_push;
     row.tangent_push = tangent;
+    return push;
+}
 
-    push_link(state, row.link, row.s, push);
-    if (row.against == Against::thread) push_link(state, row.other, row.t, -push);
-    const bool sticks = size <= limit && limit > 0;
-    return std::max(over_goal(state, row, distance), sticks ? slip.norm() / (strand_goal * 2 * state.def.radius) : 0);
+static double resolve(State& state, Row& row) {
+    const Vec3 apart = apart_of(state, row);
+    const double distance = apart.dot(row.normal);
+    if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
+    push_apart(state, row, push_of(row, apart, row.mobility, row.mobility));
+    return std::max(over_goal(state, row, distance), row.slip / (strand_goal * 2 * state.def.radius));
 }
 
 double resolve_contacts(State& state) {

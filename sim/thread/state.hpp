@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +38,22 @@ struct Row {
     double mobility = 0;          ///< Distance gained by a unit push.
     double normal_push = 0;       ///< >= 0.
     Vec3 tangent_push = Vec3::Zero();
+    double slip = 0;              ///< How far friction that holds has let it slide, when last resolved [m].
+};
+
+/// A row that pushes, and what its pushes do to the thread as a whole.
+struct PushedRow {
+    explicit PushedRow(Row& of) : row(&of) {}
+
+    Row* row;
+    std::array<int, 4> node{};          ///< Its points lie apart by the sum of weight * node.
+    std::array<double, 4> weight{};
+    int nodes = 0;
+    std::array<int, 8> link{};          ///< Links whose lengths a push changes,
+    std::array<Vec3, 8> effect{};        ///< by effect * push.
+    int links = 0;
+    Vec3 apart = Vec3::Zero(), push = Vec3::Zero();
+    double moved = 0;
 };
 
 struct State {
@@ -79,9 +96,11 @@ struct State {
     LinkTree tree;
     std::vector<int> found;            ///< Scratch.
     std::vector<Vec3> unit;            ///< Scratch of the length solve.
-    std::vector<double> upper, multiplier;
+    std::vector<double> lower, pivot, upper, multiplier;  ///< The last length solve: its factors and its answer.
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
-    std::vector<Vec3> last_pass, last_step;  ///< Scratch of relaxation.
+    std::vector<PushedRow> pushed_rows;  ///< Scratch of coupling.
+    std::vector<Eigen::Matrix3d> responses;
+    std::vector<Vec3> answer;
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
     mutable std::vector<Box> audit_boxes;  ///< Scratch of the audit.
     mutable std::vector<int> audit_found;
@@ -89,6 +108,7 @@ struct State {
 
 // Tolerances, as shares of the thread's own sizes.
 constexpr double stretch_tolerance = 5e-4;     ///< Of a link's rest length: half of what a thread at rest may show.
+constexpr double strand_goal = 0.03;           ///< Of the thread's thickness: overlap of strands that passes stop for.
 constexpr double bound_share = 0.45;           ///< Two neighbours that each use it keep a tenth of their distance.
 
 /// Held nodes to where they are asked to be at `progress` (follow_leader.cpp).
@@ -109,6 +129,20 @@ void measure_gaps(State& state);
 double aim(State& state);
 /// One pass over all rows with friction; returns the worst overlap found before it, 1 where it is small enough.
 double resolve_contacts(State& state);
+/// All rows that push, together with all lengths; returns the worst overlap found before it, 1 where it is small enough
+/// (couple.cpp).
+double couple(State& state);
+/// What passes stop for: strands into each other by a thirtieth of the thread's thickness, thread into steel or a wall by a
+/// tenth of it, both out of sight. Friction that holds may leave a slip of as much as strands may overlap.
+double over_goal(const State& state, const Row& row, double distance);
+/// From the other's point to the link's, as the nodes are [m].
+Vec3 apart_of(const State& state, const Row& row);
+/// Moves the nodes of a row by a push.
+void push_apart(State& state, const Row& row, const Vec3& push);
+/// Projected Gauss-Seidel on one row whose points are `apart` and give by `mobility` to a push along the normal: the
+/// normal push never pulls, the tangential one stays in Coulomb's cone. Both are totals of the substep, so neither
+/// depends on how many passes are made or how long a tick is. Returns what is to be pushed now.
+Vec3 push_of(Row& row, const Vec3& apart, double mobility, double tangent_mobility);
 /// Overlap of a pair at this distance, 1 where tools must wait.
 double over_limit(Against against, double thickness, double distance);
 /// The least distance [m] between the outer ends of two links of length `l` [m] that turn about a thread of `radius` [m].

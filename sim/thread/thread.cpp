@@ -36,11 +36,9 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
       tension(rest.size(), 0.0),
       tree(static_cast<int>(rest.size())),
       unit(rest.size()),
-      upper(rest.size()),
+      lower(rest.size()), pivot(rest.size()), upper(rest.size()),
       multiplier(rest.size()),
       pulled(rest.size(), 0.0),
-      last_pass(nodes.size()),
-      last_step(nodes.size(), Vec3::Zero()),
       forward(nodes.size()) {}
 
 TickReport tick(State& state, const TickInput& input);
