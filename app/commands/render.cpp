@@ -1,11 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iostream>
 #include <optional>
 
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/output.hpp"
 #include "scenarios/drill/motion.hpp"
 #include "scenarios/recording/recording.hpp"
@@ -60,6 +59,7 @@ Source from_recording(const std::string& file) {
 }
 
 int render(const Options& options) {
+    expect_writable("--out", options.out);
     const bool is_drill = std::filesystem::path(options.source).extension() == ".json";
     const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
     const double at_s = options.at_s.value_or(is_drill ? 0 : source.duration_s);
@@ -73,10 +73,14 @@ int render(const Options& options) {
         source.inputs_at(tick, inputs);
         session.tick(inputs);
     }
-    const auto png = picture_of(session, session.snapshot(""), options.close);
-    std::ofstream file(options.out, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    if (!file.flush()) throw std::runtime_error(options.out + ": cannot be written");
+    Snapshot snapshot = session.snapshot("");
+    if (options.close) {
+        auto near = session.knot_snapshot("");
+        if (!near) throw InputFault(options.source + ": error: --close: there is no knot at " + std::to_string(at_s) + " s");
+        snapshot = std::move(*near);
+    }
+    const auto png = picture_of(session, snapshot);
+    write_file(options.out, {reinterpret_cast<const char*>(png.data()), png.size()});
     return 0;
 }
 

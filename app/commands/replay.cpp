@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/output.hpp"
 #include "app/report/result_json.hpp"
 #include "scenarios/recording/recording.hpp"
@@ -33,6 +34,7 @@ std::string in_words(const std::string& file, const Difference& difference) {
 }
 
 int replay(const Options& options) {
+    if (!options.out.empty()) make_folder("--out", options.out);
     const Recording recording = scenarios::recording::load_recording(options.recording);
     if (recording.ticks() == 0)
         throw InputFault(recording.fault(options.recording).value_or(options.recording + ": error: no tick was recorded"));

@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/output.hpp"
 #include "app/report/result_json.hpp"
 #include "scenarios/drill/motion.hpp"
@@ -34,7 +35,8 @@ std::vector<std::string> instrument_names(const Drill& drill) {
 std::optional<scenarios::recording::Recorder> open_recorder(const Options& options, const Drill& drill) {
     if (options.record.empty()) return {};
     const std::filesystem::path file = options.record;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    if (file.has_parent_path()) make_folder("--record", file.parent_path());
+    expect_writable("--record", file);
     return scenarios::recording::Recorder(file, {drill.text, options.drill, CARREL_VERSION, drill.world.tick_s,
                                                  instrument_names(drill), {}});
 }
@@ -51,8 +53,9 @@ int run(const Options& options) {
 
     std::vector<ToolInput> inputs(drill.world.instruments.size());
     motion.at(0, inputs);
-    auto recorder = open_recorder(options, drill);
     Session session(drill, inputs);
+    if (!options.out.empty()) make_folder("--out", options.out);
+    auto recorder = open_recorder(options, drill);
 
     constexpr double settling_s = 0.5;  // tools at rest after the last key, so that "at rest" can be measured
     const double tick_s = drill.world.tick_s;
