@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -76,8 +75,5 @@ Vec3 project(const Picture& picture, const Vec3& point);
 
 /// Throws DrawError: no pixels, or as many as do not fit the size.
 std::vector<unsigned char> encode_png(const Image& image);
-
-/// Throws DrawError: the file cannot be written.
-void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace app::draw
