@@ -1,5 +1,6 @@
 #include "app/files.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,8 +26,12 @@ void expect_writable(std::string_view option, const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (file.empty() || fs::is_directory(file, ignored)) refuse(option, file, "is a folder, expected the name of a file");
     if (!fs::is_directory(folder, ignored)) refuse(option, file, "there is no folder " + folder.string());
-    const fs::path& touched = fs::exists(file, ignored) ? file : folder;
-    if (access(touched.c_str(), W_OK) != 0) refuse(option, file, std::strerror(errno));
+    // Rights alone do not tell: a root user has them all, and a full or foreign file system refuses nevertheless.
+    const bool there = fs::exists(fs::symlink_status(file, ignored));
+    const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+    if (opened < 0) refuse(option, file, std::strerror(errno));
+    close(opened);
+    if (!there) fs::remove(file, ignored);
 }
 
 void make_folder(std::string_view option, const fs::path& folder) {

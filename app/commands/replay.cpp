@@ -6,6 +6,7 @@
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/progress.hpp"
 #include "app/report/result_json.hpp"
 #include "scenarios/recording/recording.hpp"
 
@@ -33,6 +34,26 @@ std::string in_words(const std::string& file, const Difference& difference) {
     return file + text;
 }
 
+struct Comparison {
+    std::size_t compared = 0;
+    std::optional<Difference> first_difference;
+};
+
+Comparison play(Session& session, const Recording& recording, bool to_the_end) {
+    Comparison comparison;
+    Progress progress(static_cast<double>(recording.ticks()) * recording.head.tick_s);
+    for (std::uint64_t tick = 0; tick < recording.ticks(); ++tick) {
+        session.tick(recording.tick(tick));
+        auto& [next, difference] = comparison;
+        for (; next < recording.hashes.size() && recording.hashes[next].tick == tick + 1; ++next)
+            if (!difference && recording.hashes[next].hash != session.world().hash())
+                difference = {tick + 1, recording.hashes[next].hash, session.world().hash()};
+        if (difference && !to_the_end) break;
+        progress.at(session.world().time_s());
+    }
+    return comparison;
+}
+
 int replay(const Options& options) {
     if (!options.out.empty()) make_folder("--out", options.out);
     const Recording recording = scenarios::recording::load_recording(options.recording);
@@ -41,22 +62,16 @@ int replay(const Options& options) {
     auto drill = scenarios::drill::parse_drill(recording.head.drill_text, recording.head.drill_name,
                                                std::filesystem::path(recording.head.drill_name).parent_path());
     Session session(std::move(drill), recording.tick(0));
-    std::size_t next = 0;
-    std::optional<Difference> difference;
-    for (std::uint64_t tick = 0; tick < recording.ticks(); ++tick) {
-        session.tick(recording.tick(tick));
-        for (; next < recording.hashes.size() && recording.hashes[next].tick == tick + 1; ++next)
-            if (!difference && recording.hashes[next].hash != session.world().hash())
-                difference = {tick + 1, recording.hashes[next].hash, session.world().hash()};
-        if (options.verify && difference && options.out.empty() && !options.json) break;  // the answer asked for is known
-    }
+    const bool scores_asked_for = !options.verify || !options.out.empty() || options.json;
+    const auto [compared, difference] = play(session, recording, scores_asked_for);
     const auto result = session.finish();
     if (!options.out.empty()) write_output(options.out, session, result, {});
     if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
     if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
     if (options.verify)
-        std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << next << " stored hashes equal\n";
+        std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
+                  << " stored hashes equal\n";
     return 0;
 }
 

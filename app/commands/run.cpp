@@ -9,6 +9,7 @@
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/progress.hpp"
 #include "app/report/result_json.hpp"
 #include "scenarios/drill/motion.hpp"
 #include "scenarios/recording/recording.hpp"
@@ -41,7 +42,30 @@ std::optional<scenarios::recording::Recorder> open_recorder(const Options& optio
                                                  instrument_names(drill), {}});
 }
 
-// What was recorded is safe up to the last flush whatever happens after it.
+// One tick after another; what was recorded is safe up to the last flush whatever happens after it.
+std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& motion, std::uint64_t ticks, int most_frames,
+                           std::optional<scenarios::recording::Recorder>& recorder) {
+    const double tick_s = session.drill().world.tick_s;
+    std::vector<ToolInput> inputs(session.drill().world.instruments.size());
+    std::vector<Snapshot> frames;
+    std::size_t events = 0;
+    Progress progress(static_cast<double>(ticks) * tick_s);
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        motion.at(static_cast<double>(tick) * tick_s, inputs);
+        session.tick(inputs);
+        if (most_frames > 0 && tick * static_cast<std::uint64_t>(most_frames) / ticks >= frames.size())
+            frames.push_back(session.snapshot(""));
+        if (recorder) {
+            recorder->add_tick(inputs);
+            constexpr std::uint64_t hash_period = 100;
+            if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
+            for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
+        }
+        progress.at(session.world().time_s());
+    }
+    return frames;
+}
+
 int run(const Options& options) {
     Drill drill = scenarios::drill::load_drill(options.drill);
     if (!options.thread.empty() && options.thread != drill.world.thread.mover)
@@ -51,28 +75,16 @@ int run(const Options& options) {
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
     const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
 
-    std::vector<ToolInput> inputs(drill.world.instruments.size());
-    motion.at(0, inputs);
-    Session session(drill, inputs);
+    std::vector<ToolInput> start(drill.world.instruments.size());
+    motion.at(0, start);
+    Session session(drill, start);
     if (!options.out.empty()) make_folder("--out", options.out);
     auto recorder = open_recorder(options, drill);
 
     constexpr double settling_s = 0.5;  // tools at rest after the last key, so that "at rest" can be measured
-    const double tick_s = drill.world.tick_s;
-    const auto ticks = static_cast<std::uint64_t>(std::ceil(std::min(motion.duration() + settling_s, drill.time_limit_s) / tick_s));
-    std::vector<Snapshot> frames;
-    std::size_t events = 0;
-    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-        motion.at(static_cast<double>(tick) * tick_s, inputs);
-        session.tick(inputs);
-        if (options.frames > 0 && tick * static_cast<std::uint64_t>(options.frames) / ticks >= frames.size())
-            frames.push_back(session.snapshot(""));
-        if (!recorder) continue;
-        recorder->add_tick(inputs);
-        constexpr std::uint64_t hash_period = 100;
-        if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
-        for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
-    }
+    const double length_s = std::min(motion.duration() + settling_s, drill.time_limit_s);
+    const auto frames = play(session, motion, static_cast<std::uint64_t>(std::ceil(length_s / drill.world.tick_s)),
+                             options.frames, recorder);
     const auto result = session.finish();
     if (recorder) {
         recorder->set_scores(result.items);
