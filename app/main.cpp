@@ -43,6 +43,6 @@ int main(int argc, char** argv) try {
     std::cerr << fault.what() << '\n';
     return 2;
 } catch (const std::exception& error) {
-    std::cerr << "carrel: internal error: " << error.what() << '\n';
+    std::cerr << "carrel: failed: " << error.what() << '\n';
     return 1;
 }

@@ -6,9 +6,9 @@
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/play/recorded.hpp"
 #include "app/progress.hpp"
 #include "app/report/result_json.hpp"
-#include "scenarios/recording/recording.hpp"
 
 namespace app {
 
@@ -56,12 +56,8 @@ Comparison play(Session& session, const Recording& recording, bool to_the_end) {
 
 int replay(const Options& options) {
     if (!options.out.empty()) make_folder("--out", options.out);
-    const Recording recording = scenarios::recording::load_recording(options.recording);
-    if (recording.ticks() == 0)
-        throw InputFault(recording.fault(options.recording).value_or(options.recording + ": error: no tick was recorded"));
-    auto drill = scenarios::drill::parse_drill(recording.head.drill_text, recording.head.drill_name,
-                                               std::filesystem::path(recording.head.drill_name).parent_path());
-    Session session(std::move(drill), recording.tick(0));
+    const auto [recording, drill] = load_recorded(options.recording);
+    Session session(drill, recording.tick(0));
     const bool scores_asked_for = !options.verify || !options.out.empty() || options.json;
     const auto [compared, difference] = play(session, recording, scores_asked_for);
     const auto result = session.finish();
@@ -69,6 +65,9 @@ int replay(const Options& options) {
     if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
     if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
+    if (options.verify && (compared < recording.hashes.size() || (recording.finished && compared == 0)))
+        throw InputFault(options.recording + ": error: damaged recording, only " + std::to_string(compared) + " of its " +
+                         std::to_string(recording.hashes.size()) + " state hashes belong to a tick in it");
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
                   << " stored hashes equal\n";

@@ -9,10 +9,10 @@
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/play/recorded.hpp"
 #include "app/progress.hpp"
 #include "app/report/result_json.hpp"
 #include "scenarios/drill/motion.hpp"
-#include "scenarios/recording/recording.hpp"
 
 namespace app {
 
@@ -39,7 +39,7 @@ std::optional<scenarios::recording::Recorder> open_recorder(const Options& optio
     if (file.has_parent_path()) make_folder("--record", file.parent_path());
     expect_writable("--record", file);
     return scenarios::recording::Recorder(file, {drill.text, options.drill, CARREL_VERSION, drill.world.tick_s,
-                                                 instrument_names(drill), {}});
+                                                 instrument_names(drill), assets_of(drill.world)});
 }
 
 // One tick after another; what was recorded is safe up to the last flush whatever happens after it.
@@ -103,9 +103,11 @@ void add_run(CLI::App& program) {
     command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
     command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
     command->add_option("--record", options->record, "Record the session to this file");
-    command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
+    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
     command->add_option("--thread", options->thread, "How the thread moves: ftl or elastic");
-    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")->check(CLI::Range(0, 10000));
+    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
+        ->check(CLI::Range(0, 10000))
+        ->needs(out);
     command->add_flag("--json", options->json, "Print result.json on stdout");
     command->callback([options] {
         chosen_command() = [options] { return run(*options); };
