@@ -152,6 +152,8 @@ class Reader {
             placed.name = word("a tool's name");
             if (placed.name.find(',') != std::string::npos)
                 complain("a tool cannot be called \"" + placed.name + "\": a comma ends a column of a motion file");
+            for (const Tool& known : tools_)
+                if (known.name == placed.name) complain("\"" + placed.name + "\" is placed twice, expected different names");
             placed.place_mm = place();
             expect("jaw");
             placed.jaw = number("jaw", 0, 1);
