@@ -54,6 +54,13 @@ Comparison play(Session& session, const Recording& recording, bool to_the_end) {
     return comparison;
 }
 
+// A session that came to its end stored the hash of its last tick, on which all before have had their influence.
+bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
+    const auto& hashes = recording.hashes;
+    if (compared < hashes.size()) return false;
+    return !recording.finished || (!hashes.empty() && hashes.back().tick == recording.ticks());
+}
+
 int replay(const Options& options) {
     if (!options.out.empty()) make_folder("--out", options.out);
     const auto [recording, drill] = load_recorded(options.recording);
@@ -65,9 +72,9 @@ int replay(const Options& options) {
     if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
     if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
-    if (options.verify && (compared < recording.hashes.size() || (recording.finished && compared == 0)))
-        throw InputFault(options.recording + ": error: damaged recording, only " + std::to_string(compared) + " of its " +
-                         std::to_string(recording.hashes.size()) + " state hashes belong to a tick in it");
+    if (options.verify && !all_hashes_are_there(recording, compared))
+        throw InputFault(options.recording + ": error: damaged recording, only " + std::to_string(compared) +
+                         " of its state hashes belong to its " + std::to_string(recording.ticks()) + " ticks");
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
                   << " stored hashes equal\n";

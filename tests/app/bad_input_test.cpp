@@ -70,6 +70,18 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
+/// A drill whose vessel is this mesh; writes the mesh and a short motion beside it. The program itself says its SHA-256.
+std::string drill_of_mesh(const Folder& folder, const std::string& mesh) {
+    folder.write("vessel.obj", mesh);
+    folder.write("motion.csv", still::motion("0.05"));
+    const std::string tube = "\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}", wrong(64, '0');
+    std::string drill = replaced(program::read(still::drill), "square-knot.csv", "motion.csv");
+    drill = replaced(drill, tube, "\"mesh\": {\"file\": \"vessel.obj\", \"sha256\": \"" + wrong + "\"}");
+    const auto told = program::run({"validate", folder.write("drill.json", drill)});
+    program::expect_one_line_naming("/vessels/0/mesh/sha256", told);
+    return replaced(drill, wrong, told.said.substr(told.said.size() - 65, 64));
+}
+
 void expect_refused(const Case& c, const Folder& folder, const std::string& blamed) {
     std::string file = folder.path("broken" + c.extension);
     if (c.content == "<directory>") file = folder.path("");
@@ -129,16 +141,8 @@ TEST(BadInput, AMeshIsRefusedByName) {
          {std::string(), program::junk(2, 3000), std::string("v 0 0 0\nv 1 0 0\n"), std::string("v 0 0 0\nv nan 0 0\nv 0 9 0\nf 1 2 3\n"),
           corners + "f 1 2 9\n", std::string("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), corners + "f 1 2 3\n" /* cuts the thread */}) {
         const Folder folder;
-        const std::string hashed = folder.write("vessel.obj", mesh), wrong(64, '0');
-        std::string drill = replaced(program::read(still::drill), "\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}",
-                                     "\"mesh\": {\"file\": \"vessel.obj\", \"sha256\": \"" + wrong + "\"}");
-        drill = replaced(drill, "\"motion\": \"square-knot.csv\"", "\"motion\": \"motion.csv\"");
-        folder.write("motion.csv", still::motion("0.05"));
-        expect_refused({{"validate", "FILE"}, drill}, folder, "/vessels/0/mesh/sha256");
-        const std::string told = program::run({"validate", folder.path("broken.json")}).said;
-        const std::string right = told.substr(told.size() - 65, 64);
         for (const std::string command : {"validate", "run"})
-            expect_refused({{command, "FILE"}, replaced(drill, wrong, right)}, folder, "vessel.obj: error: ");
+            expect_refused({{command, "FILE"}, drill_of_mesh(folder, mesh)}, folder, "vessel.obj: error: ");
     }
 }
 
@@ -173,7 +177,8 @@ TEST(BadInput, ADamagedRecordingIsNamed) {
         forge(sql);
         expect_named(sql, all);
     }
-    for (const char* sql : {"DELETE FROM state_hash", "UPDATE state_hash SET tick = tick + 100000", "UPDATE state_hash SET tick = -tick"}) {
+    for (const char* sql : {"DELETE FROM state_hash", "DELETE FROM state_hash WHERE tick > 300",
+                            "UPDATE state_hash SET tick = tick + 100000 WHERE tick = 200", "UPDATE state_hash SET tick = -tick"}) {
         forge(sql);
         expect_named(sql, {verify});
     }
@@ -194,6 +199,20 @@ TEST(BadInput, ADamagedRecordingIsNamed) {
         EXPECT_TRUE(ending.exit == 0 || ending.exit == 2 || ending.exit == 3) << ending.exit << ", signal " << ending.signal;
         EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
     }
+}
+
+// A drill's mesh lies beside its recordings. Replayed on another one, a session is not what its resident did.
+TEST(BadInput, ARecordingOfAnotherMeshIsNamed) {
+    const Folder folder;
+    const std::string far = "v -50 -20 -90\nv 50 -20 -90\nv 50 20 -90\nf 1 2 3\n", mesh = folder.path("vessel.obj");
+    folder.write("drill.json", drill_of_mesh(folder, far));
+    const std::string recording = folder.path("session.carrel");
+    ASSERT_EQ(program::run({"run", folder.path("drill.json"), "--record", recording}).exit, 0);
+    EXPECT_EQ(program::run({"replay", "--verify", recording}).exit, 0);
+    folder.write("vessel.obj", far + "f 1 3 2\n");
+    program::expect_one_line_naming(mesh, program::run({"replay", recording}));
+    std::filesystem::remove(mesh);
+    program::expect_one_line_naming(mesh, program::run({"replay", recording}));
 }
 
 // Where the answer cannot be written it must be said before the work, and nothing that is there may be lost.
