@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -9,11 +10,21 @@
 #include "scenarios/drill/file.hpp"
 #include "scenarios/recording/recording.hpp"
 
-// One line, like every other word on bad input.
+// Words of files and libraries may hold anything; a terminal gets one line.
+static std::string one_line(std::string text) {
+    std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
+    return text + '\n';
+}
+
+static int fail(int exit_code, const std::string& what) {
+    std::cerr << one_line(what);
+    return exit_code;
+}
+
 static std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
     std::string command = "carrel";
     for (const CLI::App* chosen : program->get_subcommands()) command += " " + chosen->get_name();
-    return command + ": error: " + error.what() + "; see " + command + " --help\n";
+    return one_line(command + ": error: " + error.what() + "; see " + command + " --help");
 }
 
 int main(int argc, char** argv) try {
@@ -28,21 +39,15 @@ int main(int argc, char** argv) try {
     }
     return app::chosen_command()();
 } catch (const app::CheckFailed& failed) {
-    std::cerr << failed.what() << '\n';
-    return 3;
+    return fail(3, failed.what());
 } catch (const app::InputFault& fault) {
-    std::cerr << fault.what() << '\n';
-    return 2;
+    return fail(2, fault.what());
 } catch (const assets::AssetError& fault) {
-    std::cerr << fault.what() << '\n';
-    return 2;
+    return fail(2, fault.what());
 } catch (const scenarios::drill::FileError& fault) {
-    std::cerr << fault.what() << '\n';
-    return 2;
+    return fail(2, fault.what());
 } catch (const scenarios::recording::RecordingError& fault) {
-    std::cerr << fault.what() << '\n';
-    return 2;
+    return fail(2, fault.what());
 } catch (const std::exception& error) {
-    std::cerr << "carrel: internal error: " << error.what() << '\n';
-    return 1;
+    return fail(1, std::string("carrel: failed: ") + error.what());
 }

@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
+#include "app/files.hpp"
 #include "scenarios/drill/waypoints.hpp"
 
 namespace app {
@@ -16,6 +17,7 @@ void add_motion(CLI::App& program) {
     command->add_option("--out", options->out, "Motion file to write (.csv)")->required();
     command->callback([options] {
         chosen_command() = [options] {
+            expect_writable("--out", options->out);
             const auto waypoints = scenarios::drill::load_waypoints(options->waypoints);
             scenarios::drill::write_motion(options->out, waypoints.motion, waypoints.instruments);
             return 0;

@@ -1,14 +1,13 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iostream>
 #include <optional>
 
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/play/recorded.hpp"
 #include "scenarios/drill/motion.hpp"
-#include "scenarios/recording/recording.hpp"
 
 namespace app {
 
@@ -27,10 +26,11 @@ struct Source {
     scenarios::drill::Drill drill;
     std::function<void(std::uint64_t, std::span<ToolInput>)> inputs_at;
     double duration_s = 0;
+    std::optional<std::string> damage;
 };
 
 Source from_drill(const std::string& file) {
-    Source source{scenarios::drill::load_drill(file), {}, 0};
+    Source source{scenarios::drill::load_drill(file), {}, 0, {}};
     if (source.drill.motion.empty())
         throw InputFault(file + ": error: /motion: the drill names no motion, so where its tools are is not known");
     std::vector<std::string> names;
@@ -45,21 +45,18 @@ Source from_drill(const std::string& file) {
 }
 
 Source from_recording(const std::string& file) {
-    auto recording = std::make_shared<scenarios::recording::Recording>(scenarios::recording::load_recording(file));
-    if (recording->ticks() == 0)
-        throw InputFault(recording->fault(file).value_or(file + ": error: no tick was recorded"));
-    Source source{scenarios::drill::parse_drill(recording->head.drill_text, recording->head.drill_name,
-                                                std::filesystem::path(recording->head.drill_name).parent_path()),
-                  {},
-                  static_cast<double>(recording->ticks()) * recording->head.tick_s};
-    source.inputs_at = [recording](std::uint64_t tick, std::span<ToolInput> inputs) {
-        const auto stored = recording->tick(std::min(tick, recording->ticks() - 1));
-        std::copy(stored.begin(), stored.end(), inputs.begin());
-    };
-    return source;
+    const auto recorded = std::make_shared<const Recorded>(load_recorded(file));
+    const auto& recording = recorded->recording;
+    return {recorded->drill,
+            [recorded](std::uint64_t tick, std::span<ToolInput> inputs) {
+                const auto stored = recorded->recording.tick(std::min(tick, recorded->recording.ticks() - 1));
+                std::copy(stored.begin(), stored.end(), inputs.begin());
+            },
+            static_cast<double>(recording.ticks()) * recording.head.tick_s, recording.fault(file)};
 }
 
 int render(const Options& options) {
+    expect_writable("--out", options.out);
     const bool is_drill = std::filesystem::path(options.source).extension() == ".json";
     const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
     const double at_s = options.at_s.value_or(is_drill ? 0 : source.duration_s);
@@ -73,10 +70,15 @@ int render(const Options& options) {
         source.inputs_at(tick, inputs);
         session.tick(inputs);
     }
-    const auto png = picture_of(session, session.snapshot(""), options.close);
-    std::ofstream file(options.out, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
-    if (!file.flush()) throw std::runtime_error(options.out + ": cannot be written");
+    Snapshot snapshot = session.snapshot("");
+    if (options.close) {
+        auto near = session.knot_snapshot("");
+        if (!near) throw InputFault(options.source + ": error: --close: there is no knot at " + std::to_string(at_s) + " s");
+        snapshot = std::move(*near);
+    }
+    const auto png = picture_of(session, snapshot);
+    write_file(options.out, {reinterpret_cast<const char*>(png.data()), png.size()});
+    if (source.damage) throw InputFault(*source.damage);  // drawn is what could be read
     return 0;
 }
 
@@ -86,7 +88,8 @@ void add_render(CLI::App& program) {
     auto* command = program.add_subcommand("render", "One picture of a drill or a recording, no display needed");
     auto options = std::make_shared<Options>();
     command->add_option("SOURCE", options->source, "Recording, or drill file (.json)")->required();
-    command->add_option("--at", options->at_s, "Seconds of simulated time; default: a drill's start, a recording's end");
+    command->add_option("--at", options->at_s, "Seconds of simulated time; default: a drill's start, a recording's end")
+        ->check(CLI::Number);
     command->add_option("--out", options->out, "Picture to write (.png)")->required();
     command->add_flag("--close", options->close, "Closer, on the knot");
     command->callback([options] {

@@ -4,9 +4,11 @@
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/play/recorded.hpp"
+#include "app/progress.hpp"
 #include "app/report/result_json.hpp"
-#include "scenarios/recording/recording.hpp"
 
 namespace app {
 
@@ -32,29 +34,50 @@ std::string in_words(const std::string& file, const Difference& difference) {
     return file + text;
 }
 
-int replay(const Options& options) {
-    const Recording recording = scenarios::recording::load_recording(options.recording);
-    if (recording.ticks() == 0)
-        throw InputFault(recording.fault(options.recording).value_or(options.recording + ": error: no tick was recorded"));
-    auto drill = scenarios::drill::parse_drill(recording.head.drill_text, recording.head.drill_name,
-                                               std::filesystem::path(recording.head.drill_name).parent_path());
-    Session session(std::move(drill), recording.tick(0));
-    std::size_t next = 0;
-    std::optional<Difference> difference;
+struct Comparison {
+    std::size_t compared = 0;
+    std::optional<Difference> first_difference;
+};
+
+Comparison play(Session& session, const Recording& recording, bool to_the_end) {
+    Comparison comparison;
+    Progress progress(static_cast<double>(recording.ticks()) * recording.head.tick_s);
     for (std::uint64_t tick = 0; tick < recording.ticks(); ++tick) {
         session.tick(recording.tick(tick));
+        auto& [next, difference] = comparison;
         for (; next < recording.hashes.size() && recording.hashes[next].tick == tick + 1; ++next)
             if (!difference && recording.hashes[next].hash != session.world().hash())
                 difference = {tick + 1, recording.hashes[next].hash, session.world().hash()};
-        if (options.verify && difference && options.out.empty() && !options.json) break;  // the answer asked for is known
+        if (difference && !to_the_end) break;
+        progress.at(session.world().time_s());
     }
+    return comparison;
+}
+
+// A session that came to its end stored the hash of its last tick, on which all before have had their influence.
+bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
+    const auto& hashes = recording.hashes;
+    if (compared < hashes.size()) return false;
+    return !recording.finished || (!hashes.empty() && hashes.back().tick == recording.ticks());
+}
+
+int replay(const Options& options) {
+    if (!options.out.empty()) make_folder("--out", options.out);
+    const auto [recording, drill] = load_recorded(options.recording);
+    Session session(drill, recording.tick(0));
+    const bool scores_asked_for = !options.verify || !options.out.empty() || options.json;
+    const auto [compared, difference] = play(session, recording, scores_asked_for);
     const auto result = session.finish();
     if (!options.out.empty()) write_output(options.out, session, result, {});
     if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
     if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
+    if (options.verify && !all_hashes_are_there(recording, compared))
+        throw InputFault(options.recording + ": error: damaged recording, only " + std::to_string(compared) +
+                         " of its state hashes belong to its " + std::to_string(recording.ticks()) + " ticks");
     if (options.verify)
-        std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << next << " stored hashes equal\n";
+        std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
+                  << " stored hashes equal\n";
     return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/commands/checks.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/rope/run.hpp"
 #include "assets/curve.hpp"
 #include "assets/mesh.hpp"
@@ -182,8 +183,8 @@ int rope_command(const Options& options) {
     experiment.obstacle = obstacle.get();
     std::ofstream positions;
     if (!options.out.empty()) {
+        expect_writable("--out", options.out);
         positions.open(options.out, std::ios::binary);
-        if (!positions) fail(options.out, "cannot be written");
         experiment.positions = &positions;
     }
     const rope::Measured measured = rope::run(experiment);

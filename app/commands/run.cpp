@@ -7,10 +7,12 @@
 #include "app/commands.hpp"
 #include "app/commands/play.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/output.hpp"
+#include "app/play/recorded.hpp"
+#include "app/progress.hpp"
 #include "app/report/result_json.hpp"
 #include "scenarios/drill/motion.hpp"
-#include "scenarios/recording/recording.hpp"
 
 namespace app {
 
@@ -34,12 +36,36 @@ std::vector<std::string> instrument_names(const Drill& drill) {
 std::optional<scenarios::recording::Recorder> open_recorder(const Options& options, const Drill& drill) {
     if (options.record.empty()) return {};
     const std::filesystem::path file = options.record;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+    if (file.has_parent_path()) make_folder("--record", file.parent_path());
+    expect_writable("--record", file);
     return scenarios::recording::Recorder(file, {drill.text, options.drill, CARREL_VERSION, drill.world.tick_s,
-                                                 instrument_names(drill), {}});
+                                                 instrument_names(drill), assets_of(drill.world)});
 }
 
-// What was recorded is safe up to the last flush whatever happens after it.
+// One tick after another; what was recorded is safe up to the last flush whatever happens after it.
+std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& motion, std::uint64_t ticks, int most_frames,
+                           std::optional<scenarios::recording::Recorder>& recorder) {
+    const double tick_s = session.drill().world.tick_s;
+    std::vector<ToolInput> inputs(session.drill().world.instruments.size());
+    std::vector<Snapshot> frames;
+    std::size_t events = 0;
+    Progress progress(static_cast<double>(ticks) * tick_s);
+    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
+        motion.at(static_cast<double>(tick) * tick_s, inputs);
+        session.tick(inputs);
+        if (most_frames > 0 && tick * static_cast<std::uint64_t>(most_frames) / ticks >= frames.size())
+            frames.push_back(session.snapshot(""));
+        if (recorder) {
+            recorder->add_tick(inputs);
+            constexpr std::uint64_t hash_period = 100;
+            if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
+            for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
+        }
+        progress.at(session.world().time_s());
+    }
+    return frames;
+}
+
 int run(const Options& options) {
     Drill drill = scenarios::drill::load_drill(options.drill);
     if (!options.thread.empty() && options.thread != drill.world.thread.mover)
@@ -49,27 +75,16 @@ int run(const Options& options) {
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
     const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
 
-    std::vector<ToolInput> inputs(drill.world.instruments.size());
-    motion.at(0, inputs);
+    std::vector<ToolInput> start(drill.world.instruments.size());
+    motion.at(0, start);
+    Session session(drill, start);
+    if (!options.out.empty()) make_folder("--out", options.out);
     auto recorder = open_recorder(options, drill);
-    Session session(drill, inputs);
 
     constexpr double settling_s = 0.5;  // tools at rest after the last key, so that "at rest" can be measured
-    const double tick_s = drill.world.tick_s;
-    const auto ticks = static_cast<std::uint64_t>(std::ceil(std::min(motion.duration() + settling_s, drill.time_limit_s) / tick_s));
-    std::vector<Snapshot> frames;
-    std::size_t events = 0;
-    for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-        motion.at(static_cast<double>(tick) * tick_s, inputs);
-        session.tick(inputs);
-        if (options.frames > 0 && tick * static_cast<std::uint64_t>(options.frames) / ticks >= frames.size())
-            frames.push_back(session.snapshot(""));
-        if (!recorder) continue;
-        recorder->add_tick(inputs);
-        constexpr std::uint64_t hash_period = 100;
-        if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
-        for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
-    }
+    const double length_s = std::min(motion.duration() + settling_s, drill.time_limit_s);
+    const auto frames = play(session, motion, static_cast<std::uint64_t>(std::ceil(length_s / drill.world.tick_s)),
+                             options.frames, recorder);
     const auto result = session.finish();
     if (recorder) {
         recorder->set_scores(result.items);
@@ -88,9 +103,11 @@ void add_run(CLI::App& program) {
     command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
     command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
     command->add_option("--record", options->record, "Record the session to this file");
-    command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
+    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
     command->add_option("--thread", options->thread, "How the thread moves: ftl or elastic");
-    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")->check(CLI::Range(0, 10000));
+    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
+        ->check(CLI::Range(0, 10000))
+        ->needs(out);
     command->add_flag("--json", options->json, "Print result.json on stdout");
     command->callback([options] {
         chosen_command() = [options] { return run(*options); };

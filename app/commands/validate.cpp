@@ -4,6 +4,8 @@
 
 #include "app/commands.hpp"
 #include "app/commands/checks.hpp"
+#include "app/fault.hpp"
+#include "app/play/scene.hpp"
 #include "scenarios/drill/drill.hpp"
 #include "scenarios/drill/motion.hpp"
 
@@ -18,6 +20,7 @@ struct Options {
 
 void check(const std::string& file) {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
+    vessel_meshes(drill.world);
     if (drill.motion.empty()) return;
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
@@ -38,9 +41,13 @@ int validate(const Options& options) {
             check(file);
         } catch (const scenarios::drill::FileError& fault) {
             error = fault.what();
-            valid = false;
-            std::cerr << error << '\n';
+        } catch (const assets::AssetError& fault) {
+            error = fault.what();
+        } catch (const InputFault& fault) {
+            error = fault.what();
         }
+        if (!error.empty()) std::cerr << error << '\n';
+        valid &= error.empty();
         nlohmann::ordered_json entry = {{"file", file}, {"valid", error.empty()}};
         if (!error.empty()) entry["error"] = error;
         report["drills"].push_back(entry);
@@ -54,7 +61,7 @@ int validate(const Options& options) {
 
 void add_validate(CLI::App& program) {
     auto* command =
-        program.add_subcommand("validate", "Check drill files, and the motions they name, without running them");
+        program.add_subcommand("validate", "Check drill files, and the motions and meshes they name, without running them");
     auto options = std::make_shared<Options>();
     auto* files = command->add_option("DRILL", options->files, "Drill files (.json)");
     auto* schema = command->add_flag("--schema", options->schema, "Print the JSON Schema of drill files instead");

@@ -1,6 +1,7 @@
 #include "app/draw/camera.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace app::draw {
 
@@ -14,6 +15,28 @@ Camera close_view(const Vec3& point, double radius) {
 
 // 18.5 mm up and down are 25 mm to either side, with room to spare, in a picture of 3 to 2.
 Camera default_view() { return close_view(Vec3::Zero(), 18.5e-3); }
+
+// In the camera's axes a point p is within the right edge when p.x + t p.z <= c.x + t c.z, c the eye and t the tangent
+// of half the field; so the edges are each tight for one point, and the eye stands where the tighter pair meets.
+Camera view_of(const std::vector<Vec3>& points, double aspect) {
+    Camera camera{towards_eye, Vec3::Zero(), Vec3::UnitZ(), field_of_view};
+    if (points.empty()) return default_view();
+    const Eigen::Matrix3d axes = axes_of(camera);
+    const double up = half_height(camera), across = up * aspect;
+    Eigen::Vector4d edge = Eigen::Vector4d::Constant(-std::numeric_limits<double>::infinity());
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& point : points) {
+        const Vec3 p = axes * point;
+        edge = edge.cwiseMax(Eigen::Vector4d(p.x() + across * p.z(), -p.x() + across * p.z(), p.y() + up * p.z(),
+                                             -p.y() + up * p.z()));
+        mean += p / static_cast<double>(points.size());
+    }
+    const double back = std::max((edge[0] + edge[1]) / (2 * across), (edge[2] + edge[3]) / (2 * up));
+    const Vec3 eye((edge[0] - edge[1]) / 2, (edge[2] - edge[3]) / 2, back);
+    camera.position = axes.transpose() * eye;
+    camera.target = axes.transpose() * Vec3(eye.x(), eye.y(), mean.z());
+    return camera;
+}
 
 Eigen::Matrix3d axes_of(const Camera& camera) {
     const Vec3 back = (camera.position - camera.target).normalized();

@@ -89,7 +89,7 @@ struct Scene {
 Scene scene_of(const Picture& picture) {
     const double pixel = 2 * half_height(picture.camera) / picture.height;  // at one metre
     const auto radius_at = [&](const Vec3& p) {
-        return std::max(picture.thread_radius, 1.2 * pixel * project(picture, p).z());
+        return std::max(picture.thread_radius, 1.6 * pixel * project(picture, p).z());
     };
     Scene scene;
     for (const assets::Mesh& vessel : picture.vessels) scene.add(vessel, flesh);

@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -20,6 +19,10 @@ struct Camera {
 /// The operative field, 25 mm to either side of the origin, from the front (-y) and above.
 Camera default_view();
 
+/// The nearest eye, looking as default_view() does, that has all these points in its picture; default_view() for none.
+/// aspect: the picture's width over its height. The points must not all be one.
+Camera view_of(const std::vector<Vec3>& points, double aspect);
+
 /// A ball filling the height of the picture, from where default_view() looks. radius > 0 [m].
 Camera close_view(const Vec3& point, double radius);
 
@@ -32,7 +35,7 @@ struct ToolPicture {
 /// All that is to be seen, in the world frame.
 struct Picture {
     std::vector<Vec3> thread;      ///< Nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
-    double thread_radius = 50e-6;  ///< [m] Drawn true, yet nowhere under 1.2 pixels, or a fine thread would vanish.
+    double thread_radius = 50e-6;  ///< [m] Drawn true, yet nowhere under 1.6 pixels, or a fine thread would vanish.
     std::vector<ToolPicture> tools;
     std::vector<assets::Mesh> vessels;
     Camera camera = default_view();
@@ -72,8 +75,5 @@ Vec3 project(const Picture& picture, const Vec3& point);
 
 /// Throws DrawError: no pixels, or as many as do not fit the size.
 std::vector<unsigned char> encode_png(const Image& image);
-
-/// Throws DrawError: the file cannot be written.
-void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace app::draw

@@ -1,7 +1,5 @@
 #include <png.h>
 
-#include <fstream>
-
 #include "app/draw/picture.hpp"
 
 namespace app::draw {
@@ -21,13 +19,6 @@ std::vector<unsigned char> encode_png(const Image& image) {
         throw DrawError(std::string("cannot encode a PNG: ") + png.message);
     bytes.resize(size);
     return bytes;
-}
-
-void write_png(const Image& image, const std::filesystem::path& file) {
-    const std::vector<unsigned char> bytes = encode_png(image);
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw DrawError(file.string() + ": error: cannot write the picture");
 }
 
 }  // namespace app::draw

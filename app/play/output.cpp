@@ -1,10 +1,9 @@
 #include "app/play/output.hpp"
 
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 
 #include "app/draw/picture.hpp"
+#include "app/files.hpp"
 #include "app/report/report_html.hpp"
 #include "app/report/result_json.hpp"
 
@@ -13,12 +12,6 @@ namespace app {
 namespace {
 
 using sim::geometry::Vec3;
-
-void write_file(const std::filesystem::path& file, std::string_view bytes) {
-    std::ofstream out(file, std::ios::binary);
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-}
 
 void write_png(const std::filesystem::path& file, const std::vector<unsigned char>& png) {
     write_file(file, {reinterpret_cast<const char*>(png.data()), png.size()});
@@ -34,29 +27,48 @@ draw::Picture scene_picture(const Session& session, const Snapshot& snapshot) {
     return picture;
 }
 
+double aspect_of(const draw::Picture& picture) { return static_cast<double>(picture.width) / picture.height; }
+
+// What must be in every picture: a hand's width of field about the vessels, and all of every jaw.
+std::vector<Vec3> field_of(const Session& session, const Snapshot& snapshot) {
+    constexpr double across = 19e-3, along = 12e-3, margin = 2e-3;  // [m] as much to either side
+    std::vector<Vec3> points;
+    const auto add = [&](const Vec3& middle, double x, double y) {
+        for (const double side : {-1.0, 1.0})
+            for (const Vec3& off : {Vec3(x, 0, 0), Vec3(0, y, 0), Vec3(0, 0, y)}) points.push_back(middle + side * off);
+    };
+    const auto& world = session.drill().world;
+    if (world.vessels.empty()) add(Vec3::Zero(), across, along);
+    for (const auto& vessel : world.vessels) add(vessel.centre, across, along);
+    for (std::size_t i = 0; i < snapshot.tools.size(); ++i) {
+        const auto& [pose, jaw] = snapshot.tools[i];
+        const auto parts = instruments::parts_at(instruments::shape_of(world.instruments[i].kind), pose, jaw);
+        for (const int part : {instruments::jaw_plus, instruments::jaw_minus})
+            for (const Vec3& end : {parts[part].a, parts[part].b}) add(end, margin, margin);
+    }
+    return points;
+}
+
 }  // namespace
 
-std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot, bool close) {
+std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot) {
     static draw::Canvas canvas;
     draw::Picture picture = scene_picture(session, snapshot);
-    const auto& vessels = session.drill().world.vessels;
-    const Vec3 middle = vessels.empty() ? Vec3::Zero() : vessels.front().centre;
-    constexpr double knot_view_m = 6e-3;  // a 4 mm vessel with the knot on top of it
-    picture.camera = close ? draw::close_view(middle + Vec3(0, 0, 1e-3), knot_view_m) : draw::default_view();
+    picture.camera = snapshot.knot ? draw::close_view(snapshot.knot->centre, snapshot.knot->radius)
+                                   : draw::view_of(field_of(session, snapshot), aspect_of(picture));
     return draw::encode_png(draw::render(canvas, picture));
 }
 
 void write_output(const std::filesystem::path& dir, const Session& session, const scenarios::drill::Result& result,
                   const std::vector<Snapshot>& frames) {
-    std::filesystem::create_directories(dir);
     write_file(dir / "result.json", report::result_json(result));
     std::vector<report::Moment> moments;
     for (const Snapshot& snapshot : session.key_moments())
         moments.push_back({snapshot.t_s, snapshot.caption, picture_of(session, snapshot)});
-    moments.push_back({session.world().time_s(), "the end, close", picture_of(session, session.key_moments().back(), true)});
     write_file(dir / "report.html", report::report_html(result, moments));
-    write_png(dir / "end.png", moments[moments.size() - 2].png);
-    write_png(dir / "end-close.png", moments.back().png);
+    const std::size_t close = session.key_moments().back().knot ? 1 : 0;  // the knot follows the field
+    write_png(dir / "end.png", moments[moments.size() - 1 - close].png);
+    if (close) write_png(dir / "end-close.png", moments.back().png);
     for (std::size_t i = 0; i < frames.size(); ++i) {
         char name[40];
         std::snprintf(name, sizeof name, "frame-%04zu.png", i + 1);

@@ -6,10 +6,10 @@
 
 namespace app {
 
-/// PNG bytes of the scene at a snapshot: the operative field, or closer on the knot.
-std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot, bool close = false);
+/// PNG bytes of the scene at a snapshot: the operative field with all jaws, or the snapshot's knot from near.
+std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot);
 
-/// result.json, report.html and, if any, frames as frame-0001.png ... in `dir`, which is made if missing.
+/// result.json, report.html and, if any, frames as frame-0001.png ... in `dir`, which exists.
 /// Throws std::runtime_error when they cannot be written.
 void write_output(const std::filesystem::path& dir, const Session& session, const scenarios::drill::Result& result,
                   const std::vector<Snapshot>& frames);

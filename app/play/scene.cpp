@@ -1,5 +1,8 @@
 #include "app/play/scene.hpp"
 
+#include "app/fault.hpp"
+#include "sim/geometry/closest_points.hpp"
+
 namespace app {
 
 namespace {
@@ -16,11 +19,25 @@ assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel) {
     return mesh;
 }
 
+// A drill is checked against its tubes when it is read; what a mesh looks like is known only here.
+void check_start_is_clear(const scenarios::world::WorldDef& def, const std::string& mesh_file, const assets::Mesh& mesh) {
+    const auto& start = def.thread.start;
+    for (std::size_t i = 0; i + 1 < start.size(); ++i)
+        for (const auto& triangle : mesh.soup())
+            if (sim::geometry::closest_points(start[i], start[i + 1], triangle).distance_squared <
+                def.thread.diameter * def.thread.diameter / 4)
+                throw InputFault(mesh_file + ": error: the thread starts in this wall, behind corner " +
+                                 std::to_string(i) + " of the drill's /thread/start_mm, expected to start clear of it");
+}
+
 }  // namespace
 
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
     std::vector<assets::Mesh> meshes;
-    for (const auto& vessel : def.vessels) meshes.push_back(mesh_of(vessel));
+    for (const auto& vessel : def.vessels) {
+        meshes.push_back(mesh_of(vessel));
+        if (!vessel.mesh_file.empty()) check_start_is_clear(def, vessel.mesh_file, meshes.back());
+    }
     return meshes;
 }
 

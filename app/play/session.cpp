@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <numeric>
 
 #include "app/machine.hpp"
 #include "scenarios/drill/score.hpp"
@@ -10,6 +11,7 @@
 namespace app {
 
 using scenarios::drill::Result;
+using sim::geometry::Vec3;
 
 Session::Session(scenarios::drill::Drill drill, std::span<const instruments::ToolInput> start)
     : drill_(std::move(drill)),
@@ -34,9 +36,33 @@ void Session::tick(std::span<const instruments::ToolInput> inputs) {
 }
 
 Snapshot Session::snapshot(std::string caption) const {
-    Snapshot snapshot{world_.time_s(), std::move(caption), {world_.thread().begin(), world_.thread().end()}, {}};
+    Snapshot snapshot{world_.time_s(), std::move(caption), {world_.thread().begin(), world_.thread().end()}, {}, {}};
     for (const auto& tool : world_.tools()) snapshot.tools.push_back(tool.now);
     return snapshot;
+}
+
+// Both strands leave a knot at the ends of the piece of thread that it takes up.
+std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
+    world_.name_knot_now();
+    world_.locate_knot();
+    const auto& tails_mm = world_.measures().tail_mm;
+    const auto rest = world_.thread_state().rest_lengths();
+    if (tails_mm.size() < 2 || tails_mm[0] + tails_mm[1] == 0) return {};
+    const auto nodes = world_.thread();
+    std::size_t first = 0, last = nodes.size() - 1;
+    for (double left = 1e-3 * tails_mm[0]; first < last && left > rest[first] / 2; ++first) left -= rest[first];
+    for (double left = 1e-3 * tails_mm[1]; last > first && left > rest[last - 1] / 2; --last) left -= rest[last - 1];
+    // A tight knot is four diameters across; its neighbourhood shows how it lies. Of a loose one show every loop.
+    const double tight = 20 * drill_.world.thread.diameter;
+    KnotPlace place{(nodes[first] + nodes[last]) / 2, tight};
+    if ((nodes[first] - nodes[last]).norm() > tight) {
+        place.centre = std::accumulate(&nodes[first], &nodes[last], Vec3(Vec3::Zero())) / static_cast<double>(last - first);
+        for (std::size_t i = first; i <= last; ++i)
+            place.radius = std::max(place.radius, (nodes[i] - place.centre).norm());
+    }
+    Snapshot near = snapshot(std::move(caption));
+    near.knot = place;
+    return near;
 }
 
 void Session::sample() {
@@ -56,13 +82,15 @@ void Session::sample() {
 // A picture whenever something was grasped or let go or the knot took another name; the report shows the moment.
 void Session::watch_events() {
     constexpr std::size_t most_pictures = 24;
-    const auto events = world_.events();
-    for (; events_seen_ < events.size(); ++events_seen_) {
-        const auto& event = events[events_seen_];
+    for (; events_seen_ < world_.events().size(); ++events_seen_) {
+        const auto event = world_.events()[events_seen_];
         if (key_moments_.size() >= most_pictures) continue;
         if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
         if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
-        if (event.kind == "knot") key_moments_.push_back(snapshot("the thread holds: " + (event.what == "0_1" ? "no knot" : event.what)));
+        if (event.kind == "knot") {
+            const std::string caption = "the thread holds: " + (event.what == "0_1" ? "no knot" : event.what);
+            key_moments_.push_back(knot_snapshot(caption).value_or(snapshot(caption)));
+        }
         if (event.kind == "pass_through") key_moments_.push_back(snapshot("the thread passed through something"));
     }
 }
@@ -74,9 +102,9 @@ static scenarios::drill::Percentiles percentiles(std::vector<double> values) {
 }
 
 Result Session::finish() {
-    world_.name_knot_now();
-    world_.locate_knot();
     key_moments_.push_back(snapshot("the end"));
+    // Looking for the knot names it and measures its tails, which are scored below.
+    if (auto near = knot_snapshot("the knot at the end")) key_moments_.push_back(std::move(*near));
     const auto& measures = world_.measures();
     const auto& worst = world_.worst();
 

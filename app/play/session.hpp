@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,12 +9,19 @@
 
 namespace app {
 
+/// A ball about a knot, loose or tight.
+struct KnotPlace {
+    sim::geometry::Vec3 centre;
+    double radius;  ///< [m]
+};
+
 /// The scene at one moment, for a picture of it.
 struct Snapshot {
     double t_s;
     std::string caption;
     std::vector<sim::geometry::Vec3> thread;
     std::vector<instruments::ToolInput> tools;
+    std::optional<KnotPlace> knot;  ///< Where to look from near; none: the whole field is of interest.
 };
 
 /// One drill being played: what comes in at each tick decides everything; the rest is looking on.
@@ -32,6 +40,8 @@ class Session {
     const scenarios::world::World& world() const { return world_; }
     const std::vector<assets::Mesh>& vessels() const { return vessels_; }
     Snapshot snapshot(std::string caption) const;
+    /// The same from near the knot that is named now, if there is one.
+    std::optional<Snapshot> knot_snapshot(std::string caption);
     const std::vector<Snapshot>& key_moments() const { return key_moments_; }
 
   private:

@@ -47,7 +47,7 @@ std::string verdict(const Result& result) {
     return out + "<p class=\"note\">" + number(result.duration_s, 1) + " s of simulated time.</p>\n";
 }
 
-std::string score_row(const ScoreItem& item) {
+std::string score_row(const ScoreItem& item, bool any_why) {
     const bool judged = !item.band.empty();
     const std::string sign = !item.passed ? "✗ fail" : judged ? "✓ pass" : "no band";
     return std::string(item.passed ? "<tr>" : "<tr class=\"missed\">") + "<th scope=\"row\">" + escaped(item.title) +
@@ -57,13 +57,17 @@ std::string score_row(const ScoreItem& item) {
                 : judged     ? "sign pass"
                              : "",
                 sign) +
-           cell("number", number(item.at_s, 1) + " s") + cell("", item.why) + "</tr>\n";
+           cell("number", number(item.at_s, 1) + " s") + (any_why ? cell("", item.why) : "") + "</tr>\n";
 }
 
 std::string scores(const Result& result) {
     if (result.items.empty()) return "";
-    std::string out = "<h2>Scores</h2>\n" + head({"Item", "Value", "Band", "Verdict", "Moment", "Why"});
-    for (const ScoreItem& item : result.items) out += score_row(item);
+    const bool any_why =
+        std::any_of(result.items.begin(), result.items.end(), [](auto& item) { return !item.why.empty(); });
+    std::vector<std::string> titles{"Item", "Value", "Band", "Verdict", "Moment"};
+    if (any_why) titles.push_back("Why");
+    std::string out = "<h2>Scores</h2>\n" + head(titles);
+    for (const ScoreItem& item : result.items) out += score_row(item, any_why);
     return out + table_end + "<p class=\"note\">Each item stands for itself; none is added to another.</p>\n";
 }
 
@@ -103,7 +107,7 @@ std::string thread(const Result& result) {
     const auto& tick = result.tick_us;
     return "<h2>Thread and simulation</h2>\n" + head({"Figure", "Value", "Meaning"}) +
            figure("Pass-throughs", std::to_string(result.pass_throughs),
-                  "Times the thread went through itself, as audited.") +
+                  "Times the thread went through itself, a tool or a vessel, as audited.") +
            figure("Stretch, largest", percent(result.stretch_max),
                   "Worst link at any moment, against its rest length.") +
            figure("Stretch, at the end", percent(result.stretch_settled), "Worst link after the last tick.") +
@@ -115,7 +119,7 @@ std::string thread(const Result& result) {
            figure("Links", std::to_string(result.links), "") +
            figure("Ticks", std::to_string(result.ticks), "In " + std::to_string(result.substeps) + " substeps.") +
            figure("Tick time", number(tick.p50, 1) + " / " + number(tick.p99, 1) + " / " + number(tick.max, 1) + " µs",
-                  "Median, 99th percentile and largest, wall clock" +
+                  "Median, 99th percentile and largest, processor time" +
                       (result.machine.empty() ? "." : ", on " + result.machine + ".")) +
            figure("State hash", result.state_hash, "Equal inputs end in this state on every machine.") + table_end;
 }

@@ -54,6 +54,7 @@ class Sheet {
 
   private:
     double x(double t_s) const { return left + (right - left) * std::clamp(t_s / end_s_, 0.0, 1.0); }
+    std::string moment_numbers(const std::vector<double>& moments) const;
     void add_bar(double from_s, double to_s, const std::string& words, const std::string& kind);
 
     const Result& result_;
@@ -154,6 +155,19 @@ double nice_step(double span) {
     return step;
 }
 
+// Moments too near to each other for a number each share one: "3–4".
+std::string Sheet::moment_numbers(const std::vector<double>& moments) const {
+    constexpr double apart = 28;  // pixels: half of "10–12" and half of its like
+    std::string out;
+    for (std::size_t first = 0, next = 0; first < moments.size(); first = next) {
+        for (next = first + 1; next < moments.size() && x(moments[next]) - x(moments[next - 1]) < apart;) ++next;
+        if (!std::isfinite(moments[first])) continue;
+        const std::string last = next - first > 1 ? "–" + std::to_string(next) : "";
+        out += text((x(moments[first]) + x(moments[next - 1])) / 2, 16, "moment-number", std::to_string(first + 1) + last);
+    }
+    return out;
+}
+
 std::string Sheet::finish(const std::vector<double>& moments) const {
     const double step = nice_step(end_s_), foot = y_ + 6;
     std::string back, front;
@@ -166,11 +180,9 @@ std::string Sheet::finish(const std::vector<double>& moments) const {
                                                     : 0));
     }
     front += text(left - 10, foot + 16, "label", "time [s]");
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-        if (!std::isfinite(moments[i])) continue;
-        back += line(x(moments[i]), 22, x(moments[i]), foot, "moment");
-        front += text(x(moments[i]), 16, "moment-number", std::to_string(i + 1));
-    }
+    for (const double moment : moments)
+        if (std::isfinite(moment)) back += line(x(moment), 22, x(moment), foot, "moment");
+    front += moment_numbers(moments);
     return "<svg viewBox=\"0 0 " + px(width) + " " + px(foot + 26) +
            "\" role=\"img\" aria-label=\"Events, knot, grasps, tension, speed and lag over time\">\n" + back + body_ +
            front + "</svg>\n";

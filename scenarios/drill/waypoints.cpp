@@ -1,5 +1,6 @@
 #include "scenarios/drill/waypoints.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -149,6 +150,10 @@ class Reader {
         while (more()) {
             Tool placed;
             placed.name = word("a tool's name");
+            if (placed.name.find(',') != std::string::npos)
+                complain("a tool cannot be called \"" + placed.name + "\": a comma ends a column of a motion file");
+            for (const Tool& known : tools_)
+                if (known.name == placed.name) complain("\"" + placed.name + "\" is placed twice, expected different names");
             placed.place_mm = place();
             expect("jaw");
             placed.jaw = number("jaw", 0, 1);
@@ -162,8 +167,12 @@ class Reader {
 
     void go() {
         double longest = 0;
+        std::vector<const Tool*> gone;
         while (more()) {
             Tool& moved = tool();
+            if (std::find(gone.begin(), gone.end(), &moved) != gone.end())
+                complain("\"" + moved.name + "\" goes twice in one step, expected one place");
+            gone.push_back(&moved);
             const Vec3 to = place();
             longest = std::max(longest, (to - moved.place_mm).norm());
             moved.place_mm = to;

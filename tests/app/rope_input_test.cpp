@@ -1,18 +1,6 @@
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <random>
-#include <sstream>
-#include <thread>
+#include "tests/program.hpp"
 
 // Every command is given what disks, hurried people and other programs leave behind, through the real program. A crash, a
 // hang, a page of text or a line that does not name the file would leave a user with nothing to go on. To cover another
@@ -20,82 +8,12 @@
 namespace {
 
 namespace fs = std::filesystem;
+using program::expect_one_line_naming;
+using program::Folder;
+using program::junk;
 
-/// A directory of its own for a test, removed with everything in it.
-class Folder {
-  public:
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "carrel-bad-input-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
-        path_ = name;
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(path_ / name, std::ios::binary) << bytes;
-        return (path_ / name).string();
-    }
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
-
-  private:
-    fs::path path_;
-};
-
-struct Ending {
-    bool in_time = true;
-    int signal = 0, exit = -1;
-    std::string said;  ///< On stderr.
-};
-
-std::string read(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Runs the program; ends it when it takes longer than a person waits for an error message.
-Ending run(const Folder& folder, std::vector<std::string> arguments) {
-    constexpr auto patience = std::chrono::seconds(10);
-    const std::string errors = folder.path("stderr");
-    arguments.insert(arguments.begin(), CARREL_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    pid_t child = 0;
-    const int spawned = posix_spawn(&child, CARREL_PROGRAM, &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (spawned != 0) throw std::runtime_error("cannot start " CARREL_PROGRAM);
-
-    Ending ending;
-    int status = 0;
-    const auto start = std::chrono::steady_clock::now();
-    while (waitpid(child, &status, WNOHANG) == 0) {
-        if (std::chrono::steady_clock::now() - start > patience) {
-            ending.in_time = false;
-            kill(child, SIGKILL);
-            waitpid(child, &status, 0);
-            break;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
-    if (WIFEXITED(status)) ending.exit = WEXITSTATUS(status);
-    ending.said = read(errors);
-    return ending;
-}
-
-std::string junk(unsigned seed, std::size_t size) {
-    std::mt19937 random(seed);
-    std::string bytes;
-    while (bytes.size() < size) bytes += static_cast<char>(random());
-    return bytes;
-}
+/// A person waits no longer for an error message.
+program::Ending run(const std::vector<std::string>& call) { return program::run(call, std::chrono::seconds(10)); }
 
 const std::string curve = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
 const std::string header = "t_s,node,x_mm,y_mm,z_mm\n";
@@ -213,18 +131,6 @@ std::vector<Case> cases() {
     return all;
 }
 
-void expect_one_line_naming(const std::string& file, const Ending& ending) {
-    EXPECT_TRUE(ending.in_time) << "still running after 10 s";
-    EXPECT_EQ(ending.signal, 0);
-    EXPECT_EQ(ending.exit, 2);
-    EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said.substr(0, 2000);
-    EXPECT_TRUE(ending.said.ends_with('\n'));
-    EXPECT_NE(ending.said.find(file), std::string::npos) << ending.said.substr(0, 2000);
-    EXPECT_LT(ending.said.size(), 1000u);
-    const auto breaks_a_terminal = [](unsigned char c) { return c < ' ' && c != '\n'; };
-    EXPECT_TRUE(std::none_of(ending.said.begin(), ending.said.end(), breaks_a_terminal)) << ending.said;
-}
-
 std::vector<std::string> placed(std::vector<std::string> call, const Folder& folder) {
     for (std::string& argument : call)
         if (argument.starts_with('@')) argument = folder.path(argument.substr(1));
@@ -236,7 +142,7 @@ TEST(BadInput, ABrokenFileGetsOneLineThatNamesIt) {
         SCOPED_TRACE(c.what);
         const Folder folder;
         for (const auto& [name, bytes] : c.files) folder.write(name, bytes);
-        expect_one_line_naming(c.blamed, run(folder, placed(c.call, folder)));
+        expect_one_line_naming(c.blamed, run(placed(c.call, folder)));
     }
 }
 
@@ -254,7 +160,7 @@ TEST(BadInput, APathThatIsNoFileGetsOneLineThatNamesIt) {
             if (kind == "a directory") fs::create_directory(path);
             if (kind == "a pipe") mkfifo(path.c_str(), 0600);
             if (kind == "a loop of links") fs::create_symlink(path, path);
-            expect_one_line_naming(c.blamed, run(folder, placed(c.call, folder)));
+            expect_one_line_naming(c.blamed, run(placed(c.call, folder)));
         }
     }
 }
@@ -262,7 +168,7 @@ TEST(BadInput, APathThatIsNoFileGetsOneLineThatNamesIt) {
 // The good files that stand beside the broken ones: were they refused too, every case above would pass for nothing.
 TEST(BadInput, TheGoodFilesBesideThemAreTaken) {
     const Folder folder;
-    const Ending ending = run(folder, {"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", motion)});
+    const program::Ending ending = run({"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", motion)});
     EXPECT_EQ(ending.exit, 0) << ending.said;
     EXPECT_EQ(ending.said, "");
 }

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+namespace app {
+
+/// Called before long work, so that a mistyped path costs nothing. Throws InputFault, which names the option, when no
+/// file can be written at `file`. Makes no file; what is there stays as it is.
+void expect_writable(std::string_view option, const std::filesystem::path& file);
+
+/// The same for a folder, which is made if missing.
+void make_folder(std::string_view option, const std::filesystem::path& folder);
+
+/// The whole file at once. Throws std::runtime_error: the system failed, for instance a full disk.
+void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace app

@@ -1,0 +1,59 @@
+#include "app/play/recorded.hpp"
+
+#include "app/fault.hpp"
+
+namespace app {
+
+using scenarios::drill::Drill;
+using scenarios::recording::Asset;
+using scenarios::recording::Recording;
+
+std::vector<Asset> assets_of(const scenarios::world::WorldDef& world) {
+    constexpr std::size_t most_bytes = 256 << 20;  // as in a drill
+    std::vector<Asset> assets;
+    for (const auto& vessel : world.vessels)
+        if (!vessel.mesh_file.empty())
+            assets.push_back({vessel.mesh_file,
+                              scenarios::drill::sha256(scenarios::drill::read_text(vessel.mesh_file, most_bytes))});
+    return assets;
+}
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& file, const std::string& what) { throw InputFault(file + ": error: " + what); }
+
+Drill drill_of(const Recording& recording, const std::string& file) try {
+    const auto& name = recording.head.drill_name;
+    return scenarios::drill::parse_drill(recording.head.drill_text, name, std::filesystem::path(name).parent_path());
+} catch (const scenarios::drill::FileError& fault) {
+    refuse(file, "the drill in it is damaged: " + std::string(fault.what()));
+}
+
+void check_inputs_fit(const Recording& recording, const Drill& drill, const std::string& file) {
+    std::vector<std::string> names;
+    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
+    if (names != recording.head.instruments)
+        refuse(file, "its inputs are of other instruments than those of the drill in it");
+    if (recording.head.tick_s != drill.world.tick_s)
+        refuse(file, "its ticks are not as long as those of the drill in it");
+}
+
+void check_meshes(const Recording& recording, const Drill& drill, const std::string& file) {
+    const std::vector<Asset> now = assets_of(drill.world);
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (i >= recording.head.assets.size() || recording.head.assets[i].sha256 != now[i].sha256)
+            refuse(file, "was recorded with another mesh than " + now[i].name + " now is, its SHA-256 is " + now[i].sha256);
+}
+
+}  // namespace
+
+Recorded load_recorded(const std::string& file) {
+    Recording recording = scenarios::recording::load_recording(file);
+    if (recording.ticks() == 0) throw InputFault(recording.fault(file).value_or(file + ": error: no tick was recorded"));
+    Drill drill = drill_of(recording, file);
+    check_inputs_fit(recording, drill, file);
+    check_meshes(recording, drill, file);
+    return {std::move(recording), std::move(drill)};
+}
+
+}  // namespace app

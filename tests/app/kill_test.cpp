@@ -1,0 +1,78 @@
+#include <pty.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/still.hpp"
+#include "tests/program.hpp"
+
+namespace {
+
+/// The other end of a terminal: what the program shows a person while it works.
+class Terminal {
+  public:
+    Terminal() {
+        if (openpty(&master_, &slave_, nullptr, nullptr, nullptr) != 0) throw std::runtime_error("no terminal");
+        fcntl(master_, F_SETFL, O_NONBLOCK);
+    }
+    ~Terminal() {
+        close(master_);
+        close(slave_);
+    }
+    Terminal(const Terminal&) = delete;
+    Terminal& operator=(const Terminal&) = delete;
+
+    std::string name() const { return ptsname(master_); }
+
+    /// Simulated seconds that the progress bar has come to; negative before the first.
+    double progress_s() {
+        char bytes[4096];
+        for (ssize_t n; (n = ::read(master_, bytes, sizeof bytes)) > 0;) shown_.append(bytes, static_cast<std::size_t>(n));
+        const std::size_t end = shown_.rfind(" of 60.50 s"), begin = shown_.rfind("] ", end);
+        return end == std::string::npos ? -1 : std::stod(shown_.substr(begin + 2));
+    }
+
+  private:
+    int master_ = -1, slave_ = -1;
+    std::string shown_;
+};
+
+/// Starts a session of a minute, kills it that long after it began to move, and tells how far it had come at least.
+double play_and_kill(const std::string& motion, const std::string& recording, std::chrono::milliseconds moment) {
+    Terminal terminal;
+    const pid_t child = program::start({"run", still::drill, "--input", motion, "--record", recording}, "/dev/null", terminal.name());
+    while (terminal.progress_s() < 0 && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(moment);
+    const double reached_s = terminal.progress_s();
+    int status = 0;
+    EXPECT_EQ(kill(child, SIGKILL), 0);
+    EXPECT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(status)) << "it ended before it was killed";
+    return reached_s;
+}
+
+}  // namespace
+
+// A power cut in the middle of a resident's drill: what is on disk must open, be the true beginning of the session, and
+// lack no more than its last second. The program's own progress bar says how far it had come.
+TEST(KilledProgram, EveryRecordingReplaysAndLacksAtMostOneSecond) {
+    const program::Folder folder;
+    const std::string motion = folder.write("still.csv", still::motion("60"));
+    int longer_than_a_second = 0;
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const std::chrono::milliseconds moment(std::mt19937(seed)() % 800);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", killed after " + std::to_string(moment.count()) + " ms");
+        const std::string recording = folder.path("killed-" + std::to_string(seed));
+        const double reached_s = play_and_kill(motion, recording, moment);
+        ASSERT_GE(reached_s, 0);
+        longer_than_a_second += reached_s > 1;
+        const auto replayed = program::run({"replay", "--verify", "--json", recording});
+        if (replayed.exit == 2 && reached_s < 1) {  // killed before anything was due on disk
+            EXPECT_EQ(replayed.said, recording + ": error: no tick was recorded\n");
+            continue;
+        }
+        ASSERT_EQ(replayed.exit, 0) << replayed.said;
+        EXPECT_GE(nlohmann::json::parse(replayed.out).at("duration_s").get<double>(), reached_s - 1);
+    }
+    EXPECT_GT(longer_than_a_second, 0) << "every session was killed too early to lose anything";
+}
