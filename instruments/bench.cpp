@@ -42,8 +42,16 @@ Eigen::Vector4d canonical(const Eigen::Vector4d& q) {
     return q;
 }
 
-// The one way to write a usable input: canonical unit rotation, jaw in [0, 1].
-std::optional<ToolInput> clean(const ToolInput& input, const ToolShape& shape) {
+Box box_of(const Capsule& capsule, double range) {
+    Box box;
+    box.include(capsule.a);
+    box.include(capsule.b);
+    return box.grown(capsule.radius + range);
+}
+
+}  // namespace
+
+std::optional<ToolInput> usable(const ToolInput& input, const ToolShape& shape) {
     const Vec3& position = input.pose.position;
     Eigen::Vector4d q = input.pose.rotation.coeffs();  // x y z w
     if (!position.allFinite() || !q.allFinite() || !std::isfinite(input.jaw) || q.isZero(0)) return {};
@@ -53,15 +61,6 @@ std::optional<ToolInput> clean(const ToolInput& input, const ToolShape& shape) {
     if (!(std::abs(q.squaredNorm() - 1) <= rounding)) q.stableNormalize();
     return ToolInput{{position, Quat(canonical(q))}, std::clamp(input.jaw, 0.0, 1.0)};
 }
-
-Box box_of(const Capsule& capsule, double range) {
-    Box box;
-    box.include(capsule.a);
-    box.include(capsule.b);
-    return box.grown(capsule.radius + range);
-}
-
-}  // namespace
 
 /// A sweep's path and bounds on it. `time` runs from 0 to 1.
 struct Bench::Motion {
@@ -129,7 +128,7 @@ int Bench::add_surface(std::vector<Triangle> triangles) {
 
 void Bench::set_pose(int index, const ToolInput& input) {
     const Tool& tool = at(index);
-    place(index, clean(input, tool.shape).value_or(tool.now));
+    place(index, usable(input, tool.shape).value_or(tool.now));
 }
 
 void Bench::place(int index, const ToolInput& input) {
@@ -247,13 +246,12 @@ Bench::Stop Bench::leg(int index, const ToolInput& wanted, int& steps) {
 
 Advance Bench::advance(int index, const ToolInput& input) {
     const Tool& tool = at(index);
-    Advance result{.reached = tool.now, .asked = tool.now};
-    const auto wanted = clean(input, tool.shape);
+    Advance result{.reached = tool.now};
+    const auto wanted = usable(input, tool.shape);
     if (!wanted) {
         result.input_dropped = true;
         return result;
     }
-    result.asked = *wanted;
     const Stop first = sweep(index, *wanted);
     if (first.stopped) {
         result.stopped = true;

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "instruments/bullet_world.hpp"
@@ -7,10 +8,13 @@
 
 namespace instruments {
 
+/// The one way to write an input: canonical unit rotation, jaw in [0, 1]. None if it is not finite, its quaternion zero or
+/// its place further away than 100 shaft lengths.
+std::optional<ToolInput> usable(const ToolInput& input, const ToolShape& shape);
+
 /// How far a tool got in one tick.
 struct Advance {
     ToolInput reached;            ///< Rotation unit, with w >= 0; jaw in [0, 1].
-    ToolInput asked;             ///< What was wanted, made usable; where the tool is if it was not.
     bool stopped = false;         ///< Something stood in the way; `reached` is short of what was wanted.
     int part = -1;                ///< Which Part was stopped,
     int tool = -1, surface = -1;  ///< and by what: the number of the other tool or of the surface.
@@ -43,7 +47,7 @@ class Bench {
     ///
     /// Guarantee:  no part comes nearer to anything than skin(tool) / 4, at any speed, at any moment in between; if it
     ///             already was nearer (a start pose), it may only move away.
-    /// Bad input:  not finite, a zero quaternion, further than 100 shaft lengths away: held, `input_dropped`.
+    /// Bad input:  what is not usable(): held, `input_dropped`.
     /// Cost:       3 tree queries when nothing is near; at most max_steps (bench.cpp) looks at what is.
     /// Source:     conservative advancement [Mirtich1996], with a separating plane per pair, as both are convex.
     Advance advance(int tool, const ToolInput& wanted);

@@ -1,5 +1,8 @@
 #include "app/play/scene.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/fault.hpp"
 #include "sim/geometry/closest_points.hpp"
 
@@ -7,12 +10,17 @@ namespace app {
 
 namespace {
 
-// Facets so fine that the tube's surface is within a twentieth of a 6-0 thread of round: sagitta D (1 - cos(pi/n)) / 2.
-constexpr int around = 96, along = 30;
+// Facets so fine that the tube's surface is within a twentieth of the thread's thickness of round, whose sagitta is
+// D (1 - cos(pi / n)) / 2 = pi^2 D / (4 n^2), and no finer: every facet near the thread costs a test.
+int sides_of(double tube_diameter, double thread_diameter) {
+    constexpr double pi = 3.14159265358979324;
+    return std::max(12, static_cast<int>(std::ceil(pi / 2 * std::sqrt(20 * tube_diameter / thread_diameter))));
+}
 
-assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel) {
+assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel, double thread_diameter) {
+    constexpr int along = 30;
     assets::Mesh mesh = vessel.mesh_file.empty()
-                            ? assets::make_tube(vessel.diameter, vessel.wall, vessel.length, around, along)
+                            ? assets::make_tube(vessel.diameter, vessel.wall, vessel.length, sides_of(vessel.diameter, thread_diameter), along)
                             : assets::load_mesh(vessel.mesh_file);
     const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), vessel.axis);
     for (auto& vertex : mesh.vertices) vertex = vessel.centre + turn * vertex;
@@ -35,7 +43,7 @@ void check_start_is_clear(const scenarios::world::WorldDef& def, const std::stri
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
     std::vector<assets::Mesh> meshes;
     for (const auto& vessel : def.vessels) {
-        meshes.push_back(mesh_of(vessel));
+        meshes.push_back(mesh_of(vessel, def.thread.diameter));
         if (!vessel.mesh_file.empty()) check_start_is_clear(def, vessel.mesh_file, meshes.back());
     }
     return meshes;

@@ -79,15 +79,28 @@ void World::measure(const sim::thread::TickReport& report) {
         raise(measures_.lag_max_mm[i], 1e3 * (tool.asked.pose.position - tool.now.pose.position).norm(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
     }
-    constexpr std::uint64_t naming_period = 100;  // ticks: ten names a second, faster than anyone reads them
-    if (ticks_ % naming_period == 0 && moved_since_named_) name_knot_now();
+    name_beside();
+}
+
+static std::vector<Vec3> copy_of(std::span<const Vec3> nodes) { return {nodes.begin(), nodes.end()}; }
+
+// Ten names a second, faster than anyone reads them, each of a copy on another thread: no tick waits for the 2 ms that a
+// name takes. It is taken at a tick known beforehand, so that a session is the same however busy the machine is.
+void World::name_beside() {
+    constexpr std::uint64_t period = 100, delay = 20;  // [ticks]
+    if (naming_.valid() && ticks_ % period == delay) take_name(naming_.get());
+    if (ticks_ % period != 0 || !moved_since_named_) return;
+    moved_since_named_ = false;
+    naming_ = std::async(std::launch::async, [curve = copy_of(thread_.nodes())] { return sim::knot::name_knot(curve); });
 }
 
 void World::name_knot_now() {
+    if (naming_.valid()) naming_.get();  // out of date
     moved_since_named_ = false;
-    const auto nodes = thread_.nodes();
-    const std::vector<Vec3> curve(nodes.begin(), nodes.end());
-    sim::knot::Name name = sim::knot::name_knot(curve);
+    take_name(sim::knot::name_knot(copy_of(thread_.nodes())));
+}
+
+void World::take_name(sim::knot::Name name) {
     if (name.knot != measures_.knot.knot || name.surgical != measures_.knot.surgical) {
         log("knot", name.surgical.empty() ? name.knot : name.surgical, 0);
         measures_.knot_since_s = time_s();
@@ -99,8 +112,7 @@ void World::locate_knot() {
     measures_.tail_mm = {0, 0};
     measures_.around.clear();
     if (measures_.knot.factors.empty()) return;
-    const auto nodes = thread_.nodes();
-    const std::vector<Vec3> curve(nodes.begin(), nodes.end());
+    const std::vector<Vec3> curve = copy_of(thread_.nodes());
     const Place place = place_of(curve, measures_.knot.knot);
     measures_.tail_mm = {length_mm(thread_.rest_lengths(), 0, place.first),
                          length_mm(thread_.rest_lengths(), place.last, curve.size() - 1)};

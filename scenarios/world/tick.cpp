@@ -7,9 +7,21 @@ void World::tick(std::span<const ToolInput> inputs) {
     move_instruments(inputs);
     update_grasps();
     const sim::thread::TickReport report = move_thread();
-    let_tools_wait(report.fraction);
+    let_tools_wait();
     let_grasps_slip();
     measure(report);
+}
+
+// A tool that had to wait comes after its hand no faster than hands move in surgery (99 of 100 moments, da Vinci logs):
+// set free, it would else leap, and whip the thread.
+static ToolInput within_a_tick(const Tool& tool, const ToolInput& wanted, double tick_s) {
+    constexpr double catching_up = 0.1;  // [m/s]
+    const auto way_from = [&](const instruments::Pose& from) {
+        const double turn = 2 * (from.rotation.conjugate() * wanted.pose.rotation).vec().norm();
+        return (wanted.pose.position - from.position).norm() + turn * tool.shape.jaw_length;
+    };
+    const double behind = way_from(tool.now.pose), most = way_from(tool.asked.pose) + catching_up * tick_s;
+    return behind > most ? ToolInput{instruments::between(tool.now.pose, wanted.pose, most / behind), wanted.jaw} : wanted;
 }
 
 // Swept from where each tool is to where it is asked to be: a fast tool stops at what it meets.
@@ -17,26 +29,32 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         Tool& tool = tools_[i];
         tool.before = tool.now;
-        const instruments::Advance advance = bench_.advance(static_cast<int>(i), inputs[i]);
-        tool.now = advance.reached;
-        if (advance.input_dropped)
+        tool.stopped = false;
+        const auto wanted = instruments::usable(inputs[i], tool.shape);
+        if (!wanted) {
             log("input_dropped", tool.def.name, 0);
-        else
-            tool.asked = advance.asked;
+            continue;
+        }
+        const instruments::Advance advance = bench_.advance(static_cast<int>(i), within_a_tick(tool, *wanted, def_.tick_s));
+        tool.now = advance.reached;
+        tool.stopped = advance.stopped;
+        tool.asked = *wanted;
     }
 }
 
-// Grasped nodes are asked to where the commanded tool would have them: what cannot be reached is lag and tension.
+// Grasped nodes go where their tool goes; what they lack of where it is commanded to be, with nothing but thread in its
+// way, is tension.
 sim::thread::TickReport World::move_thread() {
     holds_.clear();
     hold_owners_.clear();
     capsules_.clear();
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
+        const instruments::Pose &next = tool.now.pose, &wanted = tool.stopped ? next : tool.asked.pose;
         for (const Grasp& grasp : tool.grasps)
             for (int k = 0; k < grasp.count; ++k) {
                 const Vec3& anchor = grasp.anchor[static_cast<std::size_t>(k)];
-                holds_.push_back({grasp.first + k, tool.now.pose.position + tool.now.pose.rotation * anchor});
+                holds_.push_back({grasp.first + k, next.position + next.rotation * anchor, wanted.position + wanted.rotation * anchor});
                 hold_owners_.push_back(static_cast<int>(i));
             }
         const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw);
@@ -46,13 +64,14 @@ sim::thread::TickReport World::move_thread() {
     return thread_.tick({holds_, hold_owners_, capsules_, &surface_});
 }
 
-// When the thread is taut the tool waits: it goes only as far as the thread let it.
-void World::let_tools_wait(double fraction) {
-    if (fraction >= 1) return;
+// When the thread is taut a tool waits: it goes only as far as the thread let it.
+void World::let_tools_wait() {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         Tool& tool = tools_[i];
-        tool.now = {instruments::between(tool.before.pose, tool.now.pose, fraction),
-                    tool.before.jaw + fraction * (tool.now.jaw - tool.before.jaw)};
+        const double share = thread_.progress(static_cast<int>(i));
+        if (share >= 1) continue;
+        tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
+                    tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
         bench_.set_pose(static_cast<int>(i), tool.now);
     }
 }

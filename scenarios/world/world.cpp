@@ -26,7 +26,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
         bench_.set_pose(bench_.add_tool(kind), start[i]);
-        tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false});
+        tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
         tools_.back().grasps.reserve(16);
     }
     const std::size_t tools = tools_.size();
@@ -46,8 +46,10 @@ std::uint64_t World::hash() const {
     std::uint64_t hash = thread_.hash();
     const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; };
     for (const Tool& tool : tools_) {
-        for (int c = 0; c < 3; ++c) add(tool.now.pose.position[c]);
-        for (int c = 0; c < 4; ++c) add(tool.now.pose.rotation.coeffs()[c]);
+        for (const ToolInput* input : {&tool.now, &tool.asked}) {
+            for (int c = 0; c < 3; ++c) add(input->pose.position[c]);
+            for (int c = 0; c < 4; ++c) add(input->pose.rotation.coeffs()[c]);
+        }
         add(tool.now.jaw);
         add(tool.closed);
         for (const Grasp& grasp : tool.grasps) {

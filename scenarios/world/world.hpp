@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,6 +32,7 @@ struct Tool {
     ToolInput before, now;       ///< Where the simulated tool was and is; behind `asked` when it must wait.
     std::vector<Grasp> grasps;
     bool closed = false;         ///< Jaws are shut on whatever they hold; with hysteresis.
+    bool stopped = false;        ///< By another tool or a vessel, in this tick.
     bool slipping = false;       ///< The thread slid between the jaws in the last tick.
 };
 
@@ -67,7 +69,8 @@ class World {
     /// Of everything the next tick depends on.
     std::uint64_t hash() const;
 
-    /// Names the knot as the thread lies now; ten times a second, and at the end of a session.
+    /// Names the knot as the thread lies now; for the end of a session. Before that, ten times a second, the name of 20 ticks
+    /// ago is in measures().
     void name_knot_now();
     /// Where that knot is: tails, and the vessels it goes round. Names many pieces of the thread: for the end of a session.
     void locate_knot();
@@ -76,9 +79,11 @@ class World {
     void move_instruments(std::span<const ToolInput> inputs);
     void update_grasps();
     sim::thread::TickReport move_thread();
-    void let_tools_wait(double fraction);
+    void let_tools_wait();
     void let_grasps_slip();
     void measure(const sim::thread::TickReport& report);
+    void name_beside();
+    void take_name(sim::knot::Name name);
 
     void take_hold(Tool& tool);
     bool is_held(int node) const;
@@ -102,6 +107,7 @@ class World {
     std::uint64_t ticks_ = 0, substeps_ = 0;
     double tension_now_ = 0, stretch_now_ = 0;
     bool moved_since_named_ = true;
+    std::future<sim::knot::Name> naming_;
 };
 
 }  // namespace scenarios::world

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim/thread/state.hpp"
 
@@ -46,11 +47,45 @@ static void substitute(const State& state, std::vector<Number>& x) {
     for (std::size_t k = x.size() - 1; k-- > 0;) x[k] -= state.upper[k] * x[k + 1];
 }
 
-// How the multipliers of all lengths answer a unit push at a row along each axis, by the factors of the last solve.
-static void answer(const State& state, const PushedRow& row, std::vector<Vec3>& multiplier) {
+// The inverse of the lengths' symmetric tridiagonal matrix at the links that rows touch, from the factors of the last solve:
+// its diagonal, and the share of an answer that reaches from each such link to the next.
+static void invert_lengths(State& state) {
+    std::vector<int>& touched = state.touched;
+    touched.clear();
+    for (const PushedRow& row : state.pushed_rows) touched.insert(touched.end(), row.link.begin(), row.link.begin() + row.links);
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (PushedRow& row : state.pushed_rows)
+        for (int i = 0; i < row.links; ++i)
+            row.place[at(i)] = static_cast<int>(std::lower_bound(touched.begin(), touched.end(), row.link[at(i)]) - touched.begin());
+
+    state.inverse.resize(touched.size());
+    double diagonal = 0, share = 1;
+    std::size_t next = touched.size();
+    for (std::size_t k = state.rest.size(); k-- > 0 && next > 0;) {
+        diagonal = state.pivot[k] + state.upper[k] * state.upper[k] * diagonal;
+        share *= -state.upper[k];
+        if (touched[next - 1] != static_cast<int>(k)) continue;
+        state.inverse[--next] = {diagonal, share};
+        share = 1;
+    }
+}
+
+// How the multipliers of those lengths answer a unit push at a row along each axis.
+static void answer(State& state, const PushedRow& row, std::vector<Vec3>& multiplier) {
+    const auto& inverse = state.inverse;
     std::fill(multiplier.begin(), multiplier.end(), Vec3::Zero());
-    for (int i = 0; i < row.links; ++i) multiplier[at(row.link[at(i)])] = row.effect[at(i)];
-    substitute(state, multiplier);
+    for (int i = 0; i < row.links; ++i) multiplier[at(row.place[at(i)])] = row.effect[at(i)];
+    Vec3 from_left = Vec3::Zero(), from_right = Vec3::Zero();
+    std::vector<Vec3>& left = state.answer_from_left;
+    for (std::size_t a = 0; a < multiplier.size(); ++a) {
+        left[a] = from_left;
+        from_left = inverse[a].share * (from_left + multiplier[a]);
+    }
+    for (std::size_t a = multiplier.size(); a-- > 0;) {
+        from_right = inverse[a].diagonal * multiplier[a] + inverse[a].share * from_right;
+        multiplier[a] = from_right + inverse[a].diagonal * left[a];
+    }
 }
 
 // How far the points of `row` move apart for a push at `other` if all links keep their lengths.
@@ -61,13 +96,13 @@ static Mat3 response(const State& state, const PushedRow& row, const PushedRow& 
             if (row.node[at(i)] == other.node[at(j)])
                 direct += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * other.weight[at(j)];
     Mat3 moved = direct * Mat3::Identity();
-    for (int i = 0; i < row.links; ++i) moved -= row.effect[at(i)] * multiplier[at(row.link[at(i)])].transpose();
+    for (int i = 0; i < row.links; ++i) moved -= row.effect[at(i)] * multiplier[at(row.place[at(i)])].transpose();
     return moved;
 }
 
 // The rows that move the thread most; what is left out is met by the passes before and after.
 static void collect(State& state) {
-    constexpr std::size_t most_rows = 32;
+    constexpr std::size_t most_rows = 40;
     std::vector<PushedRow>& rows = state.pushed_rows;
     rows.clear();
     for (Row& row : state.rows)
@@ -82,53 +117,99 @@ static void collect(State& state) {
     for (PushedRow& row : rows) measure_effects(state, row);
 }
 
+// Symmetric: what a push at one row does to another, it does in return.
 static void measure_responses(State& state) {
     const std::vector<PushedRow>& rows = state.pushed_rows;
-    state.responses.resize(rows.size() * rows.size());
-    state.answer.resize(state.rest.size());
-    for (std::size_t d = 0; d < rows.size(); ++d) {
+    const std::size_t n = rows.size();
+    invert_lengths(state);
+    state.responses.resize(n * n);
+    state.answer.resize(state.touched.size());
+    state.answer_from_left.resize(state.touched.size());
+    for (std::size_t d = 0; d < n; ++d) {
         answer(state, rows[d], state.answer);
-        for (std::size_t c = 0; c < rows.size(); ++c) state.responses[d * rows.size() + c] = response(state, rows[c], rows[d], state.answer);
+        for (std::size_t c = d; c < n; ++c) {
+            state.responses[d * n + c] = response(state, rows[c], rows[d], state.answer);
+            state.responses[c * n + d] = state.responses[d * n + c].transpose();
+        }
     }
+}
+
+// The push across the normal that would undo a slip, if `own` is how the points give way to pushes. A strand gives way
+// easily across itself and hardly along itself.
+static Vec3 push_against(const Vec3& slip, const Vec3& normal, const Mat3& own, double least) {
+    const double size = slip.norm();
+    if (size == 0) return Vec3::Zero();
+    const Vec3 along = slip / size, across = normal.cross(along);
+    const Vec3 by_along = own * along;
+    const double a = along.dot(by_along) + least, b = across.dot(by_along), c = across.dot(own * across) + least;
+    return -size / (a * c - b * b) * (c * along - b * across);
 }
 
 // One row of a sweep; returns its overlap before, 1 where it is small enough.
 static double push(State& state, std::size_t c) {
     std::vector<PushedRow>& rows = state.pushed_rows;
-    PushedRow& row = rows[c];
+    PushedRow& pushed = rows[c];
+    Row& row = *pushed.row;
     const Mat3* responses = &state.responses[c * rows.size()];
     const Mat3& own = responses[c];
-    const double overlap = over_goal(state, *row.row, row.apart.dot(row.row->normal));
+    const double overlap = over_goal(state, row, pushed.apart.dot(row.normal));
     // However long the strand that must come along: all of it gives way by no less than this.
-    const double least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
-    const double mobility = std::max(least, row.row->normal.dot(own * row.row->normal));
-    const Vec3 more = push_of(*row.row, row.apart, mobility, std::max(least, own.trace() - mobility));
-    row.push += more;
-    row.moved = (own * more).norm();
-    for (std::size_t e = 0; e < rows.size(); ++e) rows[e].apart += responses[e] * more;
-    return std::max(overlap, row.row->slip / (strand_goal * 2 * state.def.radius));
+    const double least = row.mobility / (10.0 * static_cast<double>(state.nodes.size()));
+    const double mobility = std::max(least, row.normal.dot(own * row.normal));
+    const Vec3 normal = add_normal_push(row, pushed.apart, mobility) * row.normal;
+    const Vec3 slip = slip_of(row, pushed.apart + own * normal);
+    const Vec3 more = normal + add_tangent_push(row, slip, push_against(slip, row.normal, own, least));
+    pushed.push += more;
+    pushed.moved = (own * more).norm();
+    if (!more.isZero(0))
+        for (std::size_t e = 0; e < rows.size(); ++e) rows[e].apart += responses[e] * more;
+    return std::max(overlap, row.slip / (strand_goal * 2 * state.def.radius));
+}
+
+// A node clipped at its bound would stretch its links, which nothing here would mend: so all go as far as each may.
+static double share_within_bounds(const State& state, const std::vector<Vec3>& move) {
+    double share = 1;
+    for (std::size_t i = 0; i < move.size(); ++i) {
+        const Vec3 moved = state.nodes[i] - state.before[i];
+        const double bound2 = state.bound[i] * state.bound[i], left = bound2 - moved.squaredNorm();
+        if ((moved + share * move[i]).squaredNorm() <= bound2) continue;
+        const double along = moved.dot(move[i]), size2 = move[i].squaredNorm();
+        share = left > 0 ? (std::sqrt(along * along + size2 * left) - along) / size2 : 0;
+    }
+    return share;
 }
 
 // All pushes at once, and what the lengths answer to them to first order. The pushes alone can be large where a taut strand
 // lies on something: only what remains of them after the lengths have answered is a motion.
 static void move_by_pushes(State& state) {
+    std::vector<Vec3>& move = state.coupled_move;
     std::vector<double>& change = state.multiplier;
+    move.assign(state.nodes.size(), Vec3::Zero());
     std::fill(change.begin(), change.end(), 0.0);
     for (const PushedRow& row : state.pushed_rows) {
         for (int i = 0; i < row.links; ++i) change[at(row.link[at(i)])] += row.effect[at(i)].dot(row.push);
-        push_apart(state, *row.row, row.push);
+        for (int i = 0; i < row.nodes; ++i)
+            move[at(row.node[at(i)])] += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * row.push;
     }
     substitute(state, change);
     for (std::size_t k = 0; k < change.size(); ++k) {
         const Vec3 pull = change[k] * state.unit[k];
-        state.pulled[k] -= change[k];
-        state.nodes[k] += state.inverse_mass[k] * pull;
-        state.nodes[k + 1] -= state.inverse_mass[k + 1] * pull;
+        move[k] += state.inverse_mass[k] * pull;
+        move[k + 1] -= state.inverse_mass[k + 1] * pull;
+    }
+    const double share = share_within_bounds(state, move);
+    for (std::size_t i = 0; i < move.size(); ++i) state.nodes[i] += share * move[i];
+    for (std::size_t k = 0; k < change.size(); ++k) state.pulled[k] -= share * change[k];
+    for (const PushedRow& row : state.pushed_rows) {
+        const Vec3 taken_back = (1 - share) * row.push;
+        const double normal = taken_back.dot(row.row->normal);
+        row.row->normal_push -= normal;
+        row.row->tangent_push -= taken_back - normal * row.row->normal;
     }
 }
 
 double couple(State& state) {
-    constexpr int most_sweeps = 20;
+    constexpr int most_sweeps = 10;
     std::vector<PushedRow>& rows = state.pushed_rows;
     collect(state);
     measure_responses(state);

@@ -49,14 +49,15 @@ static void detect_surface(State& state) {
     state.tree.leaves([&](const Box& box, int first, int last) {
         state.found.clear();
         surface.near(box.grown(state.reach), state.found);
-        for (const int triangle : state.found)
-            for (int i = first; i < last; ++i) {
-                const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
+        for (int i = first; i < last; ++i) {
+            const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
+            for (const int triangle : state.found) {
                 if (surface.plane_gap(triangle, a0, a1) >= state.reach) continue;
                 const auto pair = closest_points(a0, a1, surface[triangle]);
                 if (pair.distance_squared < state.reach * state.reach)
                     add(state, Against::surface, i, triangle, state.def.radius, pair);
             }
+        }
     });
 }
 

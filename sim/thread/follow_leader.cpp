@@ -31,11 +31,16 @@ static void drag_between(State& state, int first, int last) {
     for (std::size_t i = f + 1; i < l; ++i) state.nodes[i] = 0.5 * (state.nodes[i] + state.forward[i]);
 }
 
-void place_held(State& state, double progress) {
+// Nodes that are held side by side go straight to their targets, but their links keep their length on the way.
+void place_held(State& state) {
     const auto& holds = state.input.holds;
-    for (std::size_t h = 0; h < holds.size(); ++h)
-        state.nodes[static_cast<std::size_t>(holds[h].node)] =
-            state.hold_from[h] + progress * (holds[h].target - state.hold_from[h]);
+    for (std::size_t h = 0; h < holds.size(); ++h) {
+        const auto i = static_cast<std::size_t>(holds[h].node);
+        const double progress = state.progress[static_cast<std::size_t>(state.input.hold_owners[h] + 1)];
+        state.nodes[i] = state.hold_from[h] + progress * (holds[h].target - state.hold_from[h]);
+        const bool beside_last = h > 0 && holds[h - 1].node + 1 == holds[h].node;
+        if (beside_last) state.nodes[i] = follow(state.nodes[i - 1], state.nodes[i], state.rest[i - 1]);
+    }
 }
 
 void follow_leader(State& state) {

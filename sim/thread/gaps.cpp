@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
@@ -55,6 +57,28 @@ static void measure(State& state, Contact& c) {
     if (c.gap < touchable) state.rows.push_back(row_of(state, c, pair));
 }
 
+// A wall's small triangles give a link many rows that say the same: of those within a radius of each other that face the
+// same way, the nearest. What lies beyond 20 degrees is another wall or an edge.
+static void merge_walls(std::vector<Row>& rows, double radius) {
+    constexpr double same_way = 0.94;
+    const auto of_one_link = [](const Row& a, const Row& b) { return a.against == b.against && a.link == b.link; };
+    auto kept = rows.begin();
+    for (auto group = rows.begin(); group != rows.end();) {
+        const auto end = std::find_if(group, rows.end(), [&](const Row& row) { return !of_one_link(row, *group); });
+        const auto first_kept = kept;
+        if (group->against == Against::surface)
+            std::sort(group, end, [](const Row& a, const Row& b) { return a.distance != b.distance ? a.distance < b.distance : a.other < b.other; });
+        for (; group != end; ++group) {
+            const auto known = [&](const Row& row) {
+                return group->against == Against::surface && row.normal.dot(group->normal) > same_way &&
+                       (row.fixed - group->fixed).squaredNorm() < radius * radius;
+            };
+            if (std::none_of(first_kept, kept, known)) *kept++ = *group;
+        }
+    }
+    rows.erase(kept, rows.end());
+}
+
 void measure_gaps(State& state) {
     // Things not among the contacts were farther than `reach`.
     std::fill(state.bound.begin(), state.bound.end(), bound_share * std::max(0.0, state.reach - 2 * state.moved));
@@ -67,6 +91,7 @@ void measure_gaps(State& state) {
     const auto most = [](double a, double b) { return std::max(a, b); };
     const auto least = [](double a, double b) { return std::min(a, b); };
     std::erase_if(state.rows, [&](const Row& row) { return row.distance >= row.thickness + 2 * room(row, most); });
+    merge_walls(state.rows, state.def.radius);
     // No more overlap is undone at once than leaves the nodes most of their bound: clipped moves would stretch links.
     constexpr double for_parting = 0.25;
     for (Row& row : state.rows) row.target = std::min(row.thickness, row.distance + for_parting * room(row, least));

@@ -5,7 +5,6 @@ namespace sim::thread {
 double worst_stretch(const State& state, const std::vector<Vec3>& nodes) {
     double worst = 0;
     for (std::size_t k = 0; k < state.rest.size(); ++k) {
-        if (state.inverse_mass[k] + state.inverse_mass[k + 1] == 0) continue;  // between jaws, as it was when grasped
         const double length = (nodes[k + 1] - nodes[k]).norm();
         worst = std::max(worst, std::abs(length / state.rest[k] - 1));
     }

@@ -12,6 +12,7 @@ void clip(State& state) {
 }
 
 static double pass(State& state, double (*contacts)(State&)) {
+    ++state.work;
     const double overlap = contacts(state);
     limit_bends(state);
     solve_lengths(state);
@@ -23,17 +24,17 @@ static double pass(State& state, double (*contacts)(State&)) {
 // strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole strand:
 // what a few passes have not settled is solved with contacts and lengths together.
 double relax(State& state) {
-    constexpr int most_passes = 8, between_aims = 4, most_couplings = 4;
+    constexpr int least_passes = 2;  // friction knows what presses after the first
+    constexpr int most_passes = 8, between_aims = 4, most_couplings = 4, work_of_coupling = 9;  // 40 rows, measured
     double overlap = 1;
-    for (int i = 0; i < most_passes && overlap >= 1; ++i) {
+    for (int i = 0; i < most_passes && (i < least_passes || overlap >= 1); ++i) {
         if (i % between_aims == 0) aim(state);
         overlap = pass(state, resolve_contacts);
-        if (i == 0) overlap = std::max(overlap, 1.0);
     }
-    for (int i = 0; i < most_couplings && overlap >= 1; ++i) {
+    for (int i = 0; i < most_couplings && overlap >= 1 && state.work < most_work; ++i) {
+        state.work += work_of_coupling;
         aim(state);
-        pass(state, couple);
-        overlap = pass(state, resolve_contacts);
+        overlap = pass(state, couple);
     }
     for (int i = 0; i < 3 && solve_lengths(state) > 0.1 * stretch_tolerance; ++i) clip(state);
     clip(state);

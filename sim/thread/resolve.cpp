@@ -42,27 +42,33 @@ void push_apart(State& state, const Row& row, const Vec3& push) {
     if (row.against == Against::thread) push_link(state, row.other, row.t, -push);
 }
 
-Vec3 push_of(Row& row, const Vec3& apart, double mobility, double tangent_mobility) {
-    const double wanted = std::max(0.0, row.normal_push + (row.target - apart.dot(row.normal)) / mobility);
-    Vec3 push = (wanted - row.normal_push) * row.normal;
-    row.normal_push = wanted;
+double add_normal_push(Row& row, const Vec3& apart, double mobility) {
+    const double before = row.normal_push;
+    row.normal_push = std::max(0.0, before + (row.target - apart.dot(row.normal)) / mobility);
+    return row.normal_push - before;
+}
 
-    Vec3 slip = apart - row.start;
-    slip -= slip.dot(row.normal) * row.normal;
-    Vec3 tangent = row.tangent_push - slip / tangent_mobility;
-    const double limit = row.friction * row.normal_push, size = tangent.norm();
+Vec3 slip_of(const Row& row, const Vec3& apart) {
+    const Vec3 moved = apart - row.start;
+    return moved - moved.dot(row.normal) * row.normal;
+}
+
+Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted) {
+    const Vec3 before = row.tangent_push;
+    const double limit = row.friction * row.normal_push;
+    row.tangent_push += wanted;
+    const double size = row.tangent_push.norm();
     row.slip = size <= limit && limit > 0 ? slip.norm() : 0;
-    if (size > limit) tangent *= limit / size;
-    push += tangent - row.tangent_push;
-    row.tangent_push = tangent;
-    return push;
+    if (size > limit) row.tangent_push *= limit / size;
+    return row.tangent_push - before;
 }
 
 static double resolve(State& state, Row& row) {
     const Vec3 apart = apart_of(state, row);
     const double distance = apart.dot(row.normal);
     if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
-    push_apart(state, row, push_of(row, apart, row.mobility, row.mobility));
+    const Vec3 slip = slip_of(row, apart), normal = add_normal_push(row, apart, row.mobility) * row.normal;
+    push_apart(state, row, normal + add_tangent_push(row, slip, -slip / row.mobility));
     return std::max(over_goal(state, row, distance), row.slip / (strand_goal * 2 * state.def.radius));
 }
 

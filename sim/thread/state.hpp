@@ -50,10 +50,19 @@ struct PushedRow {
     std::array<double, 4> weight{};
     int nodes = 0;
     std::array<int, 8> link{};          ///< Links whose lengths a push changes,
-    std::array<Vec3, 8> effect{};        ///< by effect * push.
+    std::array<Vec3, 8> effect{};       ///< by effect * push,
+    std::array<int, 8> place{};         ///< and where they are among all that rows touch.
     int links = 0;
     Vec3 apart = Vec3::Zero(), push = Vec3::Zero();
     double moved = 0;
+};
+
+/// How far one dares to go, for tools that move together.
+struct Pace {
+    double trust = 1;                  ///< Share of the admissible step that the last substep managed.
+    int refused_in_a_row = 0;          ///< Substeps undone since the last good one,
+    int jams_in_a_row = 0;             ///< those of them at the least trust,
+    int waits = 0;                     ///< and ticks until a jammed thread is tried again.
 };
 
 struct State {
@@ -72,7 +81,7 @@ struct State {
     std::vector<double> inverse_mass;  ///< 1, or 0 for a held node.
     std::vector<Vec3> hold_from;       ///< Per hold: where its node was when the tick began.
     TickInput input;
-    double progress = 0;               ///< Share of the tick's motion applied so far.
+    std::vector<double> progress, progress_before;  ///< Share of its motion in this tick that each group of tools has made.
 
     // One substep.
     std::vector<Vec3> before;          ///< Nodes when the substep began.
@@ -88,8 +97,8 @@ struct State {
     const void* seen_surface = nullptr;
     std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
     double drift_way = 0;              ///< ... while held nodes or tools went this far [m].
-    double trust = 1;                  ///< Share of the admissible step that the last substep managed.
-    int refused = 0;                   ///< Substeps undone so far.
+    std::vector<Pace> paces;           ///< Of all groups together, then of each alone.
+    int work = 0;                      ///< Of this tick, in passes over contacts and lengths.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
 
@@ -100,19 +109,40 @@ struct State {
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
     std::vector<PushedRow> pushed_rows;  ///< Scratch of coupling.
     std::vector<Eigen::Matrix3d> responses;
-    std::vector<Vec3> answer;
+    std::vector<int> touched;            ///< Links that pushed rows touch.
+    struct Reach { double diagonal, share; };
+    std::vector<Reach> inverse;          ///< Of the lengths' matrix, at those links.
+    std::vector<Vec3> answer, answer_from_left, coupled_move;
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
     mutable std::vector<Box> audit_boxes;  ///< Scratch of the audit.
     mutable std::vector<int> audit_found;
 };
+
+constexpr int most_work = 60;                  ///< Of a tick, in passes: 0.7 ms with 300 links; what is left then is lag.
 
 // Tolerances, as shares of the thread's own sizes.
 constexpr double stretch_tolerance = 5e-4;     ///< Of a link's rest length: half of what a thread at rest may show.
 constexpr double strand_goal = 0.03;           ///< Of the thread's thickness: overlap of strands that passes stop for.
 constexpr double bound_share = 0.45;           ///< Two neighbours that each use it keep a tenth of their distance.
 
+/// How the thread answers when held nodes move. Least motion first: all nodes together move as little as the lengths
+/// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread as
+/// if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
+enum class Answer { drift, follow_the_leader };
+struct Substep {
+    bool accepted = false;
+    double over_bound = 0;
+    int pass_throughs = 0;
+};
+/// Moves tools and held nodes to where they are at `progress`, by at most `way` [m], and lets the thread answer. Undone
+/// unless the result is within tolerance or no worse than what was there: so a thread that cannot follow stays as it is
+/// and the tools wait (substep.cpp).
+Substep attempt(State& state, double way, Answer answer);
+void place_capsules(State& state);
+/// Of any capsule's end, since capsules_before [m].
+double largest_capsule_move(const State& state);
 /// Held nodes to where they are asked to be at `progress` (follow_leader.cpp).
-void place_held(State& state, double progress);
+void place_held(State& state);
 /// Follow-The-Leader from every held node outwards.
 void follow_leader(State& state);
 
@@ -139,10 +169,14 @@ double over_goal(const State& state, const Row& row, double distance);
 Vec3 apart_of(const State& state, const Row& row);
 /// Moves the nodes of a row by a push.
 void push_apart(State& state, const Row& row, const Vec3& push);
-/// Projected Gauss-Seidel on one row whose points are `apart` and give by `mobility` to a push along the normal: the
-/// normal push never pulls, the tangential one stays in Coulomb's cone. Both are totals of the substep, so neither
-/// depends on how many passes are made or how long a tick is. Returns what is to be pushed now.
-Vec3 push_of(Row& row, const Vec3& apart, double mobility, double tangent_mobility);
+/// Projected Gauss-Seidel on one row whose points are `apart` and give way by `mobility` to a unit push along the normal:
+/// the push never pulls. Pushes are totals of the substep, so they do not depend on how many passes are made or how long a
+/// tick is; returned is what they gained.
+double add_normal_push(Row& row, const Vec3& apart, double mobility);
+/// How far the points have slid on each other in this substep [m].
+Vec3 slip_of(const Row& row, const Vec3& apart);
+/// As far as Coulomb's cone allows, the push that is `wanted` against the slip.
+Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted);
 /// Overlap of a pair at this distance, 1 where tools must wait.
 double over_limit(Against against, double thickness, double distance);
 /// The least distance [m] between the outer ends of two links of length `l` [m] that turn about a thread of `radius` [m].

@@ -29,7 +29,7 @@ void estimate_tension(State& state) {
     std::fill(state.tension.begin(), state.tension.end(), 0.0);
     for (const Hold& hold : state.input.holds) {
         const auto i = static_cast<std::size_t>(hold.node);
-        const Vec3 lag = hold.target - state.nodes[i];
+        const Vec3 lag = hold.wanted - state.nodes[i];
         for (const int direction : {-1, +1}) {
             const std::size_t link = direction > 0 ? i : i - 1;
             if (link >= state.rest.size()) continue;  // no thread on this side

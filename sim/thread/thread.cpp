@@ -61,6 +61,7 @@ const ThreadDef& Thread::def() const { return impl_->state.def; }
 std::span<const Vec3> Thread::nodes() const { return impl_->state.nodes; }
 std::span<const double> Thread::rest_lengths() const { return impl_->state.rest; }
 std::span<const double> Thread::tension() const { return impl_->state.tension; }
+double Thread::progress(int owner) const { return impl_->state.progress[static_cast<std::size_t>(owner + 1)]; }
 
 // FNV-1a over the words of everything a tick carries to the next.
 std::uint64_t Thread::hash() const {
@@ -73,8 +74,12 @@ std::uint64_t Thread::hash() const {
     for (const Contact& c : impl_->state.contacts) add(c.measured - 2 * c.measured_at);
     add(impl_->state.moved);
     add(impl_->state.drift_way);
-    add(impl_->state.trust);
-    add(impl_->state.refused);
+    for (const Pace& pace : impl_->state.paces) {
+        add(pace.trust);
+        add(pace.refused_in_a_row);
+        add(pace.jams_in_a_row);
+        add(pace.waits);
+    }
     add(impl_->state.settled);
     return hash;
 }

@@ -26,6 +26,7 @@ struct ThreadDef {
 struct Hold {
     int node;
     Vec3 target;  ///< [m]
+    Vec3 wanted = target;  ///< Where its tool would have it in the end [m]; what it lacks of that is tension.
 };
 
 /// A tool part during one tick: end points move linearly, the radius is that of `from`.
@@ -44,7 +45,7 @@ struct TickInput {
 
 /// What a tick did and what it gave up.
 struct TickReport {
-    double fraction = 1;            ///< Share of the motion asked for that was applied; below 1 the tools wait.
+    double fraction = 1;            ///< Least share of the motion asked for that any tool made; below 1 some wait.
     int substeps = 0, contacts = 0;
     double stretch_max = 0;         ///< |l / l0 - 1| of the worst link after the tick.
     double separation_min = 1e300;  ///< Smallest centre-line distance of non-neighbour links / diameter after the tick.
@@ -69,6 +70,7 @@ class Thread {
     std::span<const Vec3> nodes() const;             ///< n + 1 positions [m].
     std::span<const double> rest_lengths() const;    ///< n [m].
     std::span<const double> tension() const;         ///< n, estimate [N]: what a thread of this stiffness would carry.
+    double progress(int owner) const;                ///< Share of its motion that a tool made in the last tick.
     std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.
 
   private:

@@ -110,7 +110,7 @@ TEST(BadInput, ADrillIsRefusedWithThePlaceInIt) {
         {"\"links\": 300", "\"links\": 1000000000"},
         {"\"links\": 300", "\"links\": 2000"},
         {"\"length_mm\"", "\"length_cm\""},
-        {"\"length_mm\": 91.2", "\"length_mm\": 900"},
+        {"\"length_mm\": 96.2", "\"length_mm\": 900"},
         {"\"carrel_drill\": 1", "\"carrel_drill\": 9"},
         {"\"kind\": \"forceps\"", "\"kind\": \"spoon\""},
         {"\"name\": \"right\"", "\"name\": \"left\""},

@@ -1,0 +1,81 @@
+#include "sim/thread/state.hpp"
+
+namespace sim::thread {
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+static Vec3 mix(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
+
+void place_capsules(State& state) {
+    state.capsules.resize(state.input.capsules.size());
+    for (std::size_t c = 0; c < state.capsules.size(); ++c) {
+        const MovingCapsule& moving = state.input.capsules[c];
+        const double progress = state.progress[at(moving.owner + 1)];
+        state.capsules[c] = {mix(moving.from.a, moving.to.a, progress), mix(moving.from.b, moving.to.b, progress), moving.from.radius};
+    }
+}
+
+double largest_capsule_move(const State& state) {
+    double moved = 0;
+    for (std::size_t c = 0; c < state.capsules.size(); ++c)
+        moved = std::max({moved, (state.capsules[c].a - state.capsules_before[c].a).norm(),
+                          (state.capsules[c].b - state.capsules_before[c].b).norm()});
+    return moved;
+}
+
+static double try_answer(State& state, double way, Answer answer) {
+    std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
+    for (Row& row : state.rows) {
+        row.normal_push = 0;
+        row.tangent_push.setZero();
+    }
+    if (answer == Answer::drift && state.drift_way > 0) {
+        const double share = 0.9 * std::min(2.0, way / state.drift_way);
+        for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
+    }
+    place_held(state);
+    if (answer == Answer::follow_the_leader) follow_leader(state);
+    clip(state);
+    return relax(state);
+}
+
+static double largest_move(const State& state) {
+    double moved = largest_capsule_move(state);
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) moved = std::max(moved, (state.nodes[i] - state.before[i]).norm());
+    return moved;
+}
+
+static double largest_move_over_bound(const State& state) {
+    double worst = 0;
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        const double moved = (state.nodes[i] - state.before[i]).norm();
+        if (moved > 0) worst = std::max(worst, moved / state.bound[i]);
+    }
+    return worst;
+}
+
+Substep attempt(State& state, double way, Answer answer) {
+    double was = worst_stretch(state, state.nodes) / stretch_tolerance;
+    for (const Row& row : state.rows) was = std::max(was, over_limit(row.against, row.thickness, row.distance));
+    state.before = state.nodes;
+    state.capsules_before = state.capsules;
+    place_capsules(state);
+    Substep result;
+    result.accepted = try_answer(state, way, answer) <= std::max(1.0, was);
+    if (!result.accepted) {
+        state.nodes = state.before;
+        state.capsules = state.capsules_before;
+        aim(state);  // rows are as near as they were
+        return result;
+    }
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.drift[i] = state.nodes[i] - state.before[i];
+    state.drift_way = way;
+    const double moved = largest_move(state);
+    state.moved += moved;
+    state.settled = moved == 0;
+    result.over_bound = largest_move_over_bound(state);
+    result.pass_throughs = audit(state);
+    return result;
+}
+
+}  // namespace sim::thread
