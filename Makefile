@@ -21,14 +21,14 @@ demo: build
 
 # Twice: as it ships, then with the address and undefined sanitizers and the simulation's own flags unchanged.
 test: build
-	ctest --test-dir build -j2 --output-on-failure
+	ctest --test-dir build -j$(JOBS) --output-on-failure
 	@cmake --preset sanitize > /dev/null
 	@cmake --build build/sanitize -j$(JOBS)
-	ctest --test-dir build/sanitize -j2 --output-on-failure
+	ctest --test-dir build/sanitize -j$(JOBS) --output-on-failure
 
 bench: build
 	build/carrel run scenarios/drills/$(DRILL).json --out out/bench
-	@echo "Microseconds of wall clock for a tick of 1 ms:"
+	@echo "Microseconds of processor time for a tick of 1 ms:"
 	@grep -A 4 '"tick_us"' out/bench/result.json
 
 format:

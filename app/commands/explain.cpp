@@ -1,20 +1,13 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
-#include "app/commands/checks.hpp"
+#include "app/commands/commands.hpp"
 #include "app/commands/effects.hpp"
 #include "app/fault.hpp"
 
 namespace app {
 
 namespace {
-
-struct Options {
-    std::string file;
-    bool json = false;
-};
 
 std::string shown(double value) {
     char text[32];
@@ -44,23 +37,14 @@ void print(const scenarios::drill::Drill& drill) {
     std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';
 }
 
-int explain(const Options& options) try {
+}  // namespace
+
+int explain_command(const ExplainOptions& options) try {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(options.file);
     options.json ? print_json(drill) : print(drill);
     return 0;
 } catch (const scenarios::drill::FileError& fault) {
     throw InputFault(fault.what());
-}
-
-}  // namespace
-
-void add_explain(CLI::App& program) {
-    auto* command = program.add_subcommand(
-        "explain", "Effects on and off, the error of leaving each out and its cost; defaults filled in");
-    auto options = std::make_shared<Options>();
-    command->add_option("DRILL", options->file, "Drill file (.json)")->required();
-    command->add_flag("--json", options->json, "One JSON object on stdout");
-    command->callback([options] { chosen_command() = [options] { return explain(*options); }; });
 }
 
 }  // namespace app

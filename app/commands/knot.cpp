@@ -1,13 +1,9 @@
-#include "app/commands/knot.hpp"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
+#include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "assets/curve.hpp"
 #include "sim/knot/namer.hpp"
@@ -15,11 +11,6 @@
 namespace app {
 
 namespace {
-
-struct Options {
-    std::vector<std::string> curves, around;
-    bool closed = false, json = false;
-};
 
 struct Answer {
     std::string file;
@@ -112,7 +103,9 @@ void print(const Answer& answer) {
     std::cout << '\n';
 }
 
-int run(const Options& options) {
+}  // namespace
+
+int knot_command(const KnotOptions& options) {
     std::vector<assets::Curve> around;
     for (const std::string& file : options.around) around.push_back(load(file));
     std::vector<Answer> answers;
@@ -126,21 +119,6 @@ int run(const Options& options) {
     // A file name may hold any bytes; JSON may not.
     std::cout << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;
-}
-
-}  // namespace
-
-void add_knot_command(CLI::App& program) {
-    const auto options = std::make_shared<Options>();
-    CLI::App* command =
-        program.add_subcommand("knot", "Names the knots in curve files (one vertex 'x y z' a line, mm)");
-    command->add_option("curves", options->curves, "Curve files")->required();
-    command->add_flag("--closed", options->closed, "Join the last vertex of every component to its first");
-    command->add_option("--around", options->around, "A curve the others are tied round; may be repeated")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command->add_flag("--json", options->json, "One JSON object on stdout");
-    command->callback([options] { chosen_command() = [options] { return run(*options); }; });
 }
 
 }  // namespace app

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
 #include <optional>
 
-#include "app/commands.hpp"
-#include "app/commands/play.hpp"
+#include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
@@ -14,12 +14,6 @@ namespace app {
 namespace {
 
 using instruments::ToolInput;
-
-struct Options {
-    std::string source, out;
-    std::optional<double> at_s;
-    bool close = false;
-};
 
 // The scene of a drill, before or after part of its motion, or of a recording.
 struct Source {
@@ -55,7 +49,9 @@ Source from_recording(const std::string& file) {
             static_cast<double>(recording.ticks()) * recording.head.tick_s, recording.fault(file)};
 }
 
-int render(const Options& options) {
+}  // namespace
+
+int render_command(const RenderOptions& options) {
     expect_writable("--out", options.out);
     const bool is_drill = std::filesystem::path(options.source).extension() == ".json";
     const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
@@ -80,21 +76,6 @@ int render(const Options& options) {
     write_file(options.out, {reinterpret_cast<const char*>(png.data()), png.size()});
     if (source.damage) throw InputFault(*source.damage);  // drawn is what could be read
     return 0;
-}
-
-}  // namespace
-
-void add_render(CLI::App& program) {
-    auto* command = program.add_subcommand("render", "One picture of a drill or a recording, no display needed");
-    auto options = std::make_shared<Options>();
-    command->add_option("SOURCE", options->source, "Recording, or drill file (.json)")->required();
-    command->add_option("--at", options->at_s, "Seconds of simulated time; default: a drill's start, a recording's end")
-        ->check(CLI::Number);
-    command->add_option("--out", options->out, "Picture to write (.png)")->required();
-    command->add_flag("--close", options->close, "Closer, on the knot");
-    command->callback([options] {
-        chosen_command() = [options] { return render(*options); };
-    });
 }
 
 }  // namespace app

@@ -1,8 +1,6 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "app/commands.hpp"
-#include "app/commands/play.hpp"
+#include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
@@ -15,11 +13,6 @@ namespace app {
 namespace {
 
 using scenarios::recording::Recording;
-
-struct Options {
-    std::string recording, out;
-    bool verify = false, json = false;
-};
 
 // The first stored hash that the re-simulation does not reproduce, or nothing.
 struct Difference {
@@ -61,7 +54,9 @@ bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
     return !recording.finished || (!hashes.empty() && hashes.back().tick == recording.ticks());
 }
 
-int replay(const Options& options) {
+}  // namespace
+
+int replay_command(const ReplayOptions& options) {
     if (!options.out.empty()) make_folder("--out", options.out);
     const auto [recording, drill] = load_recorded(options.recording);
     Session session(drill, recording.tick(0));
@@ -79,20 +74,6 @@ int replay(const Options& options) {
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
                   << " stored hashes equal\n";
     return 0;
-}
-
-}  // namespace
-
-void add_replay(CLI::App& program) {
-    auto* command = program.add_subcommand("replay", "Re-simulate a recording");
-    auto options = std::make_shared<Options>();
-    command->add_option("RECORDING", options->recording, "Recording of a session")->required();
-    command->add_flag("--verify", options->verify, "Compare every stored state hash; exit 3 if one differs");
-    command->add_option("--out", options->out, "Folder for result.json and report.html");
-    command->add_flag("--json", options->json, "Print result.json on stdout");
-    command->callback([options] {
-        chosen_command() = [options] { return replay(*options); };
-    });
 }
 
 }  // namespace app

@@ -1,13 +1,11 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
-#include "app/commands.hpp"
-#include "app/commands/checks.hpp"
+#include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/rope/run.hpp"
@@ -26,13 +24,6 @@ using sim::geometry::Vec3;
 constexpr int most_links = 100000;  // a metre of the finest thread in links of its own thickness
 constexpr double most_ticks = 1e7;  // nearly three hours of the default tick
 
-struct Options {
-    std::string curve, motion, out, obstacle, thread = "ftl";
-    double radius_mm = 0.05, friction = 0.15, tick_s = 0.001, young_MPa = 2800, density_kg_m3 = 905;
-    std::int64_t links = 0, every = 1;
-    bool gravity = false, json = false;
-};
-
 [[noreturn]] void fail(const std::string& place, const std::string& what) {
     throw InputFault(place + ": error: " + what);
 }
@@ -44,7 +35,7 @@ void check_range(const char* option, double value, double low, double high, cons
     fail(option, what.str());
 }
 
-void check(const Options& o) {
+void check(const RopeOptions& o) {
     if (o.thread == "elastic") fail("--thread", "the elastic thread is not available yet, expected ftl");
     if (o.thread != "ftl") fail("--thread", "expected ftl, found " + o.thread);
     if (o.gravity) fail("--gravity", "is not available yet: it needs the elastic thread");
@@ -100,7 +91,7 @@ void resample(rope::Experiment& experiment, int links, const std::string& motion
     experiment.nodes = sim::thread::resample(given, links);
 }
 
-rope::Experiment read(const Options& options) {
+rope::Experiment read(const RopeOptions& options) {
     rope::Experiment experiment;
     const double radius = options.radius_mm / 1000;
     experiment.thread = {.radius = radius,
@@ -144,7 +135,7 @@ std::string hex(std::uint64_t value) {
     return text;
 }
 
-ordered_json answer(const Options& options, const rope::Experiment& experiment, const rope::Measured& m,
+ordered_json answer(const RopeOptions& options, const rope::Experiment& experiment, const rope::Measured& m,
                     const Knots& knots) {
     const auto percentile = [&](double share) {
         return m.tick_us[static_cast<std::size_t>(share * static_cast<double>(m.tick_us.size() - 1))];
@@ -175,7 +166,9 @@ void print(const ordered_json& a) {
               << a["tension_N"]["max"] << " N\nstate " << a["state_hash"].get<std::string>() << '\n';
 }
 
-int rope_command(const Options& options) {
+}  // namespace
+
+int rope_command(const RopeOptions& options) {
     check(options);
     rope::Experiment experiment = read(options);
     std::unique_ptr<TriangleTree> obstacle;
@@ -202,31 +195,6 @@ int rope_command(const Options& options) {
         throw CheckFailed(options.curve + ": the knot changed from " + knots.before.knot + " to " + knots.after.knot +
                           " while both ends were held");
     return 0;
-}
-
-}  // namespace
-
-void add_rope(CLI::App& program) {
-    auto* command = program.add_subcommand("rope", "Thread laboratory: one bare thread, moved by its nodes");
-    auto o = std::make_shared<Options>();
-    command->add_option("CURVE", o->curve, "The thread as it starts: one open curve, x y z in mm a line")->required();
-    command->add_option("--motion", o->motion, "Held nodes: t_s,node,x_mm,y_mm,z_mm; node is first, last or an index")
-        ->required();
-    command->add_option("--radius", o->radius_mm, "Of the thread [mm]")->capture_default_str();
-    command->add_option("--links", o->links, "Resample the curve to this many equal links (default: as given)");
-    command->add_option("--thread", o->thread, "How the thread is simulated")->capture_default_str();
-    command->add_option("--friction", o->friction, "Coulomb coefficient")->capture_default_str();
-    command->add_option("--tick", o->tick_s, "[s]")->capture_default_str();
-    command->add_option("--young", o->young_MPa, "Young's modulus [MPa]; here it scales the tension")
-        ->capture_default_str();
-    command->add_option("--density", o->density_kg_m3, "[kg/m^3]; of no effect on a thread without inertia")
-        ->capture_default_str();
-    command->add_flag("--gravity", o->gravity, "Let the thread weigh");
-    command->add_option("--obstacle", o->obstacle, "Mesh that stands still (.obj, .ply, .stl in mm)");
-    command->add_option("--every", o->every, "Write positions to --out every N ticks")->capture_default_str();
-    command->add_option("--out", o->out, "Positions, one JSON line each: t [s], x [mm], tension_N");
-    command->add_flag("--json", o->json, "One JSON object on stdout");
-    command->callback([o] { chosen_command() = [o] { return rope_command(*o); }; });
 }
 
 }  // namespace app

@@ -1,11 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <optional>
 
-#include "app/commands.hpp"
-#include "app/commands/play.hpp"
+#include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
@@ -21,19 +19,13 @@ namespace {
 using instruments::ToolInput;
 using scenarios::drill::Drill;
 
-struct Options {
-    std::string drill, input, record, out, thread;
-    int frames = 0;
-    bool json = false;
-};
-
 std::vector<std::string> instrument_names(const Drill& drill) {
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
     return names;
 }
 
-std::optional<scenarios::recording::Recorder> open_recorder(const Options& options, const Drill& drill) {
+std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& options, const Drill& drill) {
     if (options.record.empty()) return {};
     const std::filesystem::path file = options.record;
     if (file.has_parent_path()) make_folder("--record", file.parent_path());
@@ -66,7 +58,9 @@ std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& mot
     return frames;
 }
 
-int run(const Options& options) {
+}  // namespace
+
+int run_command(const RunOptions& options) {
     Drill drill = scenarios::drill::load_drill(options.drill);
     if (!options.thread.empty() && options.thread != drill.world.thread.mover)
         throw InputFault("--thread " + options.thread + ": error: this version moves threads by ftl only");
@@ -93,25 +87,6 @@ int run(const Options& options) {
     if (!options.out.empty()) write_output(options.out, session, result, frames);
     std::cout << (options.json ? report::result_json(result) : score_table(result));
     return 0;
-}
-
-}  // namespace
-
-void add_run(CLI::App& program) {
-    auto* command = program.add_subcommand("run", "Play a drill without a window, as fast as it can");
-    auto options = std::make_shared<Options>();
-    command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
-    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
-    command->add_option("--record", options->record, "Record the session to this file");
-    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
-    command->add_option("--thread", options->thread, "How the thread moves: ftl or elastic");
-    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
-        ->check(CLI::Range(0, 10000))
-        ->needs(out);
-    command->add_flag("--json", options->json, "Print result.json on stdout");
-    command->callback([options] {
-        chosen_command() = [options] { return run(*options); };
-    });
 }
 
 }  // namespace app

@@ -1,9 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
-#include "app/commands/checks.hpp"
+#include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/play/scene.hpp"
 #include "scenarios/drill/drill.hpp"
@@ -12,11 +10,6 @@
 namespace app {
 
 namespace {
-
-struct Options {
-    std::vector<std::string> files;
-    bool json = false, schema = false;
-};
 
 void check(const std::string& file) {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
@@ -27,8 +20,10 @@ void check(const std::string& file) {
     scenarios::drill::load_motion(drill.motion, names);
 }
 
+}  // namespace
+
 // Every file is looked at, so that an author with ten drills mends them in one go.
-int validate(const Options& options) {
+int validate_command(const ValidateOptions& options) {
     if (options.schema) {
         std::cout << scenarios::drill::drill_schema();
         return 0;
@@ -55,21 +50,6 @@ int validate(const Options& options) {
     }
     if (options.json) std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return valid ? 0 : 2;
-}
-
-}  // namespace
-
-void add_validate(CLI::App& program) {
-    auto* command =
-        program.add_subcommand("validate", "Check drill files, and the motions and meshes they name, without running them");
-    auto options = std::make_shared<Options>();
-    auto* files = command->add_option("DRILL", options->files, "Drill files (.json)");
-    auto* schema = command->add_flag("--schema", options->schema, "Print the JSON Schema of drill files instead");
-    command->add_flag("--json", options->json, "One JSON object on stdout");
-    command->callback([options, files, schema] {
-        if (files->empty() && schema->empty()) throw CLI::RequiredError("DRILL");
-        chosen_command() = [options] { return validate(*options); };
-    });
 }
 
 }  // namespace app

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "app/draw/surface.hpp"
+#include "sim/geometry/portable_math.hpp"
 
 namespace app::draw {
 
@@ -61,7 +62,7 @@ assets::Mesh tube(const std::vector<Vec3>& points, const std::function<double(co
     const Vec3 first_pole = curve.front() - radius_at(curve.front()) * along;
     for (std::size_t i = 0; i <= last; ++i) {
         const Vec3 next = direction(i);
-        u = Eigen::Quaterniond::FromTwoVectors(along, next) * u;
+        u = sim::geometry::rotation_between(along, next) * u;
         u = (u - u.dot(next) * next).normalized();
         along = next;
         cap(curve[i], 1, 0);

@@ -5,6 +5,7 @@
 
 #include "app/fault.hpp"
 #include "sim/geometry/closest_points.hpp"
+#include "sim/geometry/portable_math.hpp"
 
 namespace app {
 
@@ -22,7 +23,7 @@ assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel, double thread_di
     assets::Mesh mesh = vessel.mesh_file.empty()
                             ? assets::make_tube(vessel.diameter, vessel.wall, vessel.length, sides_of(vessel.diameter, thread_diameter), along)
                             : assets::load_mesh(vessel.mesh_file);
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), vessel.axis);
+    const auto turn = sim::geometry::rotation_between(sim::geometry::Vec3::UnitX(), vessel.axis);
     for (auto& vertex : mesh.vertices) vertex = vessel.centre + turn * vertex;
     return mesh;
 }

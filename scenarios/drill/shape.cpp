@@ -1,9 +1,11 @@
 #include "scenarios/drill/shape.hpp"
 
+#include <regex.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <regex>
+#include <stdexcept>
 
 #include "scenarios/drill/json_text.hpp"
 #include "scenarios/drill/nearest.hpp"
@@ -73,13 +75,24 @@ Found check_number(double x, const Shape& shape, const std::string& pointer, con
                                 ", found " + shown(value)};
 }
 
+// POSIX's extended syntax and JSON Schema's agree on what the drills' patterns use; std::regex doubles the time that this
+// file takes to compile.
+bool matches(const std::string& text, const std::string& pattern) {
+    regex_t regex;
+    if (regcomp(&regex, pattern.c_str(), REG_EXTENDED | REG_NOSUB) != 0) throw std::logic_error("bad pattern " + pattern);
+    regmatch_t whole{0, static_cast<regoff_t>(text.size())};  // a text may hold a zero
+    const bool found = regexec(&regex, text.c_str(), 1, &whole, REG_STARTEND) == 0;
+    regfree(&regex);
+    return found;
+}
+
 Found check_text(const std::string& value, const Shape& shape, const std::string& pointer) {
     const std::size_t length = characters(value);
     if (length == 0) return Problem{pointer, "is empty, expected a text"};
     if (length > longest_text)
         return Problem{
             pointer, "has " + std::to_string(length) + " characters, expected at most " + std::to_string(longest_text)};
-    if (shape.pattern.empty() || std::regex_search(value, std::regex(shape.pattern))) return {};
+    if (shape.pattern.empty() || matches(value, shape.pattern)) return {};
     return Problem{pointer, "expected " + shape.pattern_words + ", found " + shown(json(value))};
 }
 

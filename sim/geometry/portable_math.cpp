@@ -33,4 +33,11 @@ Quat portable_slerp(const Quat& from, const Quat& to, double t) {
     return Quat(Eigen::Vector4d(((1 - u) * low + u * high).normalized()));
 }
 
+Quat rotation_between(const Vec3& from, const Vec3& to) {
+    const Vec3 a = from.normalized(), sum = a + to.normalized();
+    const Vec3 half = sum.isZero(0) ? a.unitOrthogonal() : sum.normalized();  // twice the way to it is the way to `to`
+    const Vec3 axis = a.cross(half);
+    return Quat(a.dot(half), axis.x(), axis.y(), axis.z());
+}
+
 }  // namespace sim::geometry

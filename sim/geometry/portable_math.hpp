@@ -16,4 +16,8 @@ SinCos portable_sin_cos(double angle);
 /// Unit quaternions in, unit quaternion out; opposite signs of the same rotation give the same answer.
 Quat portable_slerp(const Quat& from, const Quat& to, double t);
 
+/// The shortest rotation that turns the direction of `from` into that of `to`; half a turn about any axis across when they
+/// are opposite. Neither may be zero. Eigen's own drags a singular value decomposition into every file that calls it.
+Quat rotation_between(const Vec3& from, const Vec3& to);
+
 }  // namespace sim::geometry

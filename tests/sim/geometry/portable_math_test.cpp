@@ -33,3 +33,18 @@ TEST(PortableMath, SlerpIsEigensOnBothSignsAndAtEveryAngle) {
         }
     }
 }
+
+// A vessel laid along a wrong axis, or one that vanishes because it points backwards. Nearly opposite directions lose
+// digits of the sum's direction, as many as their angle is close to half a turn.
+TEST(PortableMath, RotationBetweenTurnsOneDirectionIntoTheOther) {
+    const Vec3 from(0.3, -2, 0.7), across = from.unitOrthogonal();
+    for (const double angle : {0.0, 1e-9, 0.3, 1.6, 3.0, 3.14159}) {
+        const Vec3 to = 5 * (std::cos(angle) * from.normalized() + std::sin(angle) * across);
+        const Quat turn = rotation_between(from, to);
+        const double rounding = 1e-15 / (EIGEN_PI - angle);
+        EXPECT_NEAR(turn.norm(), 1, 1e-15) << angle;
+        EXPECT_LT((turn * from.normalized() - to.normalized()).norm(), 10 * rounding) << angle;
+        EXPECT_LT((turn.vec() - std::sin(angle / 2) * from.cross(to).normalized()).norm(), 10 * rounding) << angle;
+    }
+    EXPECT_LT((rotation_between(from, -from) * from + from).norm(), 1e-15);
+}

@@ -1,0 +1,141 @@
+#include "app/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/one_line.hpp"
+
+// The only file that knows the library for command lines: Debian's is all header and takes longer to compile than any
+// command.
+namespace app {
+
+namespace {
+
+using Chosen = std::function<int()>;
+
+std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
+    std::string command = "carrel";
+    for (const CLI::App* chosen : program->get_subcommands()) command += " " + chosen->get_name();
+    return one_line(command + ": error: " + error.what() + "; see " + command + " --help");
+}
+
+void add_run(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("run", "Play a drill without a window, as fast as it can");
+    auto options = std::make_shared<RunOptions>();
+    command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
+    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
+    command->add_option("--record", options->record, "Record the session to this file");
+    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
+    command->add_option("--thread", options->thread, "How the thread moves: ftl or elastic");
+    command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
+        ->check(CLI::Range(0, 10000))
+        ->needs(out);
+    command->add_flag("--json", options->json, "Print result.json on stdout");
+    command->callback([=, &chosen] { chosen = [options] { return run_command(*options); }; });
+}
+
+void add_replay(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("replay", "Re-simulate a recording");
+    auto options = std::make_shared<ReplayOptions>();
+    command->add_option("RECORDING", options->recording, "Recording of a session")->required();
+    command->add_flag("--verify", options->verify, "Compare every stored state hash; exit 3 if one differs");
+    command->add_option("--out", options->out, "Folder for result.json and report.html");
+    command->add_flag("--json", options->json, "Print result.json on stdout");
+    command->callback([=, &chosen] { chosen = [options] { return replay_command(*options); }; });
+}
+
+void add_render(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("render", "One picture of a drill or a recording, no display needed");
+    auto options = std::make_shared<RenderOptions>();
+    command->add_option("SOURCE", options->source, "Recording, or drill file (.json)")->required();
+    command->add_option("--at", options->at_s, "Seconds of simulated time; default: a drill's start, a recording's end")
+        ->check(CLI::Number);
+    command->add_option("--out", options->out, "Picture to write (.png)")->required();
+    command->add_flag("--close", options->close, "Closer, on the knot");
+    command->callback([=, &chosen] { chosen = [options] { return render_command(*options); }; });
+}
+
+void add_motion(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("motion", "Turn waypoints, as a person writes them, into a motion file");
+    auto options = std::make_shared<MotionOptions>();
+    command->add_option("WAYPOINTS", options->waypoints, "Steps of the tools (.waypoints)")->required();
+    command->add_option("--out", options->out, "Motion file to write (.csv)")->required();
+    command->callback([=, &chosen] { chosen = [options] { return motion_command(*options); }; });
+}
+
+void add_knot(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("knot", "Names the knots in curve files (one vertex 'x y z' a line, mm)");
+    auto options = std::make_shared<KnotOptions>();
+    command->add_option("curves", options->curves, "Curve files")->required();
+    command->add_flag("--closed", options->closed, "Join the last vertex of every component to its first");
+    command->add_option("--around", options->around, "A curve the others are tied round; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_flag("--json", options->json, "One JSON object on stdout");
+    command->callback([=, &chosen] { chosen = [options] { return knot_command(*options); }; });
+}
+
+void add_validate(CLI::App& program, Chosen& chosen) {
+    auto* command =
+        program.add_subcommand("validate", "Check drill files, and the motions and meshes they name, without running them");
+    auto options = std::make_shared<ValidateOptions>();
+    auto* files = command->add_option("DRILL", options->files, "Drill files (.json)");
+    auto* schema = command->add_flag("--schema", options->schema, "Print the JSON Schema of drill files instead");
+    command->add_flag("--json", options->json, "One JSON object on stdout");
+    command->callback([=, &chosen] {
+        if (files->empty() && schema->empty()) throw CLI::RequiredError("DRILL");
+        chosen = [options] { return validate_command(*options); };
+    });
+}
+
+void add_explain(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand(
+        "explain", "Effects on and off, the error of leaving each out and its cost; defaults filled in");
+    auto options = std::make_shared<ExplainOptions>();
+    command->add_option("DRILL", options->file, "Drill file (.json)")->required();
+    command->add_flag("--json", options->json, "One JSON object on stdout");
+    command->callback([=, &chosen] { chosen = [options] { return explain_command(*options); }; });
+}
+
+void add_rope(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("rope", "Thread laboratory: one bare thread, moved by its nodes");
+    auto o = std::make_shared<RopeOptions>();
+    command->add_option("CURVE", o->curve, "The thread as it starts: one open curve, x y z in mm a line")->required();
+    command->add_option("--motion", o->motion, "Held nodes: t_s,node,x_mm,y_mm,z_mm; node is first, last or an index")
+        ->required();
+    command->add_option("--radius", o->radius_mm, "Of the thread [mm]")->capture_default_str();
+    command->add_option("--links", o->links, "Resample the curve to this many equal links (default: as given)");
+    command->add_option("--thread", o->thread, "How the thread is simulated")->capture_default_str();
+    command->add_option("--friction", o->friction, "Coulomb coefficient")->capture_default_str();
+    command->add_option("--tick", o->tick_s, "[s]")->capture_default_str();
+    command->add_option("--young", o->young_MPa, "Young's modulus [MPa]; here it scales the tension")
+        ->capture_default_str();
+    command->add_option("--density", o->density_kg_m3, "[kg/m^3]; of no effect on a thread without inertia")
+        ->capture_default_str();
+    command->add_flag("--gravity", o->gravity, "Let the thread weigh");
+    command->add_option("--obstacle", o->obstacle, "Mesh that stands still (.obj, .ply, .stl in mm)");
+    command->add_option("--every", o->every, "Write positions to --out every N ticks")->capture_default_str();
+    command->add_option("--out", o->out, "Positions, one JSON line each: t [s], x [mm], tension_N");
+    command->add_flag("--json", o->json, "One JSON object on stdout");
+    command->callback([=, &chosen] { chosen = [o] { return rope_command(*o); }; });
+}
+
+}  // namespace
+
+std::function<int()> asked_for(int argc, char** argv) {
+    CLI::App program{"Carrel: a surgical suturing trainer. A thread that can be tied, pulled tight and named."};
+    program.require_subcommand(1);
+    program.failure_message(usage_fault);
+    Chosen chosen;
+    for (const auto add : {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope})
+        add(program, chosen);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return [exit = program.exit(error) == 0 ? 0 : 2] { return exit; };
+    }
+    return chosen;
+}
+
+}  // namespace app
