@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {
@@ -20,7 +22,8 @@ static void drag_tail(State& state, int held, int direction) {
     }
 }
 
-// Between two held nodes: follow from either end from the same old state, then average.
+// Between two held nodes: follow from either end from the same old state and blend, so that every link takes its share of
+// what is missing.
 static void drag_between(State& state, int first, int last) {
     const auto f = static_cast<std::size_t>(first), l = static_cast<std::size_t>(last);
     state.forward[f] = state.nodes[f];
@@ -28,7 +31,10 @@ static void drag_between(State& state, int first, int last) {
         state.forward[i + 1] = follow(state.forward[i], state.nodes[i + 1], state.rest[i]);
     for (std::size_t i = l; i > f + 1; --i)
         state.nodes[i - 1] = follow(state.nodes[i], state.nodes[i - 1], state.rest[i - 1]);
-    for (std::size_t i = f + 1; i < l; ++i) state.nodes[i] = 0.5 * (state.nodes[i] + state.forward[i]);
+    for (std::size_t i = f + 1; i < l; ++i) {
+        const double share = static_cast<double>(i - f) / static_cast<double>(l - f);
+        state.nodes[i] = share * state.nodes[i] + (1 - share) * state.forward[i];
+    }
 }
 
 // Nodes that are held side by side go straight to their targets, but their links keep their length on the way.
@@ -41,6 +47,36 @@ void place_held(State& state) {
         const bool beside_last = h > 0 && holds[h - 1].node + 1 == holds[h].node;
         if (beside_last) state.nodes[i] = follow(state.nodes[i - 1], state.nodes[i], state.rest[i - 1]);
     }
+}
+
+// What two ways have in common: the shorter of them, along their middle, as far as they point the same way.
+static Vec3 common(const Vec3& a, const Vec3& b) {
+    const double lengths = a.norm() * b.norm(), along = a.dot(b);
+    return along > 0 ? Vec3(along / lengths * std::min(a.norm(), b.norm()) * (a + b).normalized()) : Vec3::Zero();
+}
+
+// A span between two held nodes that is straight but for this share has no slack from which it could answer by itself.
+static double tautness(const State& state, std::size_t first, std::size_t last) {
+    constexpr double slack_share = 0.05;
+    double length = 0;
+    for (std::size_t i = first; i < last; ++i) length += state.rest[i];
+    return std::max(0.0, 1 - (1 - (state.before[last] - state.before[first]).norm() / length) / slack_share);
+}
+
+void carry_taut_spans(State& state) {
+    std::fill(state.carried.begin(), state.carried.end(), Vec3::Zero());
+    std::size_t previous = state.nodes.size();
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        if (state.inverse_mass[i] > 0) continue;
+        if (previous + 1 < i) {
+            const Vec3 way = tautness(state, previous, i) *
+                             common(state.nodes[previous] - state.before[previous], state.nodes[i] - state.before[i]);
+            std::fill(state.carried.begin() + static_cast<std::ptrdiff_t>(previous) + 1,
+                      state.carried.begin() + static_cast<std::ptrdiff_t>(i), way);
+        }
+        previous = i;
+    }
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += state.carried[i];
 }
 
 void follow_leader(State& state) {

@@ -25,7 +25,7 @@ static double measure_links(State& state) {
     return worst;
 }
 
-// Follow-The-Leader between two grasps leaves its whole error in one link beside each grasp. This spreads it: the
+// What is left after Follow-The-Leader and contacts: the
 // smallest move of all nodes together that restores every length to first order, J W J^T lambda = -C with C the length
 // errors. Each link meets only its two neighbours, so the matrix is tridiagonal and one sweep solves it [Han2013].
 double solve_lengths(State& state) {

@@ -113,6 +113,7 @@ struct State {
     struct Reach { double diagonal, share; };
     std::vector<Reach> inverse;          ///< Of the lengths' matrix, at those links.
     std::vector<Vec3> answer, answer_from_left, coupled_move;
+    std::vector<Vec3> carried;         ///< Scratch: how far taut spans went along with their ends.
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
     mutable std::vector<Box> audit_boxes;  ///< Scratch of the audit.
     mutable std::vector<int> audit_found;
@@ -143,6 +144,8 @@ void place_capsules(State& state);
 double largest_capsule_move(const State& state);
 /// Held nodes to where they are asked to be at `progress` (follow_leader.cpp).
 void place_held(State& state);
+/// Taut spans between held nodes go along with what the ways of both ends have in common.
+void carry_taut_spans(State& state);
 /// Follow-The-Leader from every held node outwards.
 void follow_leader(State& state);
 

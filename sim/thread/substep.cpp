@@ -34,6 +34,7 @@ static double try_answer(State& state, double way, Answer answer) {
         for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
     }
     place_held(state);
+    carry_taut_spans(state);
     if (answer == Answer::follow_the_leader) follow_leader(state);
     clip(state);
     return relax(state);
@@ -68,7 +69,7 @@ Substep attempt(State& state, double way, Answer answer) {
         aim(state);  // rows are as near as they were
         return result;
     }
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.drift[i] = state.nodes[i] - state.before[i];
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.drift[i] = state.nodes[i] - state.before[i] - state.carried[i];
     state.drift_way = way;
     const double moved = largest_move(state);
     state.moved += moved;

@@ -39,6 +39,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
       lower(rest.size()), pivot(rest.size()), upper(rest.size()),
       multiplier(rest.size()),
       pulled(rest.size(), 0.0),
+      carried(nodes.size()),
       forward(nodes.size()) {}
 
 TickReport tick(State& state, const TickInput& input);

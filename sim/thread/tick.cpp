@@ -144,23 +144,22 @@ bool substep(State& state, const Movers& movers, const Motion& motion, TickRepor
 }
 
 // Substep by substep until these tools are where they are asked to be, the thread is jammed, or the tick has cost what it
-// may: what is left then is lag, not a late tick. Returns whether it is jammed.
-bool move(State& state, const Movers& movers, TickReport& report) {
+// may: what is left then is lag, not a late tick.
+void move(State& state, const Movers& movers, int may_cost, TickReport& report) {
     const Motion motion = motion_asked(state, movers);
     Pace& pace = state.paces[movers.pace];
     if (motion.most() == 0 && state.settled) {
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
-        return false;
+        return;
     }
-    if (waits(pace, motion)) return true;
+    if (waits(pace, motion)) return;
     const auto arrived = [&] { return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last) >= 1; };
-    while (!arrived() && state.work < most_work && pace.waits == 0) {
+    while (!arrived() && state.work < may_cost && pace.waits == 0) {
         const bool accepted = substep(state, movers, motion, report);
         if (motion.most() > 0 || accepted) continue;
         state.settled = true;  // nothing better can be found and nothing asks for more
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
     }
-    return pace.waits > 0;
 }
 
 }  // namespace
@@ -174,10 +173,11 @@ TickReport tick(State& state, const TickInput& input) {
         return report;
     }
     begin(state, input);
-    // Where all together are jammed each tool may still move alone: one that gives way must not wait for one that pulls.
+    // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls.
     const std::size_t groups = state.progress.size();
-    const bool jammed = move(state, {0, groups, 0}, report);
-    for (std::size_t g = 0; g < groups && jammed && groups > 1; ++g) move(state, {g, g + 1, g + 1}, report);
+    const bool goes_well = groups == 1 || state.paces[0].trust > 0.25;
+    move(state, {0, groups, 0}, goes_well ? most_work : most_work / 2, report);
+    for (std::size_t g = 0; g < groups && groups > 1; ++g) move(state, {g, g + 1, g + 1}, most_work, report);
     report.fraction = *std::min_element(state.progress.begin(), state.progress.end());
     estimate_tension(state);
     report.stretch_max = worst_stretch(state, state.nodes);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "scenarios/world/world.hpp"
@@ -57,6 +58,54 @@ TEST(Grasp, ClosingJawsHoldTheStrandBetweenThem) {
         EXPECT_EQ(world.tools()[0].grasps.size(), 1u) << "seed " << seed;
         EXPECT_EQ(world.measures().pass_throughs, 0u) << "seed " << seed;
     }
+}
+
+// Two needle holders above a straight thread along x, their jaws across it near its ends.
+struct TwoTools {
+    scenarios::world::WorldDef def;
+    std::array<ToolInput, 2> tools;
+
+    TwoTools() {
+        Eigen::Matrix3d down;
+        down << 0, 1, 0, 1, 0, 0, 0, 0, -1;
+        for (const int side : {0, 1}) {
+            def.instruments.push_back({side == 0 ? "left" : "right", instruments::Kind::needle_holder});
+            tools[static_cast<std::size_t>(side)] = {{Vec3(side == 0 ? -12e-3 : 12e-3, 0, -2e-3), Quat(down)}, 1.0};
+        }
+        def.thread.length = 30e-3;
+        def.thread.links = 100;
+        def.thread.start = {Vec3(-15e-3, 0, 0), Vec3(15e-3, 0, 0)};
+    }
+};
+
+// A hand has pulled 10 mm past what the thread gives; the other lets go. The tool that waited must not leap after its hand
+// and whip the thread, and must be there within the time that a hand's speed of 0.1 m/s takes.
+TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
+    TwoTools scene;
+    World world(scene.def, {}, scene.tools);
+    auto& right = scene.tools[1];
+    const auto tick = [&] { world.tick(scene.tools); };
+    for (int i = 1; i <= 100; ++i) {
+        for (auto& tool : scene.tools) tool.jaw = 1 - 0.01 * i;
+        tick();
+    }
+    ASSERT_EQ(world.tools()[0].grasps.size(), 1u);
+    ASSERT_EQ(world.tools()[1].grasps.size(), 1u);
+    for (int i = 0; i < 100; ++i) right.pose.position.x() += 0.1e-3, tick();
+    const auto behind = [&] { return (right.pose.position - world.tools()[1].now.pose.position).norm(); };
+    const double lag = behind();
+    EXPECT_GT(lag, 9e-3);
+    EXPECT_GT(world.tension_now(), 0);
+    scene.tools[0].jaw = 1;
+    constexpr double a_tick = 0.1e-3;  // [m] of catching up
+    double left = lag;
+    for (int i = 0; i < 1.3 * lag / a_tick; ++i) {
+        tick();
+        EXPECT_LE(left - behind(), a_tick * (1 + 1e-9)) << i;  // rounding
+        left = behind();
+    }
+    EXPECT_EQ(left, 0);
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
 }  // namespace
