@@ -119,7 +119,7 @@ struct State {
     mutable std::vector<int> audit_found;
 };
 
-constexpr int most_work = 60;                  ///< Of a tick, in passes: 0.7 ms with 300 links; what is left then is lag.
+constexpr int most_work = 54;                  ///< Of a tick, in passes: 0.7 ms with 300 links; what is left then is lag.
 
 // Tolerances, as shares of the thread's own sizes.
 constexpr double stretch_tolerance = 5e-4;     ///< Of a link's rest length: half of what a thread at rest may show.
