@@ -99,29 +99,22 @@ int audit(const State& state) {
         const auto k = static_cast<std::size_t>(i);
         return Moving{state.before[k], state.before[k + 1], state.nodes[k], state.nodes[k + 1]};
     };
-    const auto box_of = [&](int b) {
-        Box box;
-        for (int i = b * block; i <= std::min(n, (b + 1) * block); ++i) {
-            box.include(state.before[static_cast<std::size_t>(i)]);
-            box.include(state.nodes[static_cast<std::size_t>(i)]);
-        }
-        return box;
-    };
-    std::vector<Box>& boxes = state.audit_boxes;
-    boxes.resize(static_cast<std::size_t>(blocks));
-    for (int b = 0; b < blocks; ++b) boxes[static_cast<std::size_t>(b)] = box_of(b);
+    std::vector<Box>&boxes = state.audit_boxes, &swept_by = state.audit_links;
+    boxes.assign(static_cast<std::size_t>(blocks), Box{});
+    swept_by.resize(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+        swept_by[static_cast<std::size_t>(i)] = link(i).swept();
+        boxes[static_cast<std::size_t>(i / block)].include(swept_by[static_cast<std::size_t>(i)]);
+    }
 
     int met = 0;
     for (int p = 0; p < blocks; ++p)
         for (int q = p; q < blocks; ++q) {
             if (apart(boxes[static_cast<std::size_t>(p)], boxes[static_cast<std::size_t>(q)])) continue;
             for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
-                const Moving a = link(i);
-                const Box swept = a.swept();
-                for (int j = std::max(i + 2, q * block); j < std::min(n, (q + 1) * block); ++j) {
-                    const Moving b = link(j);
-                    if (!apart(swept, b.swept())) met += crossings(a, b);
-                }
+                const Box& swept = swept_by[static_cast<std::size_t>(i)];
+                for (int j = std::max(i + 2, q * block); j < std::min(n, (q + 1) * block); ++j)
+                    if (!apart(swept, swept_by[static_cast<std::size_t>(j)])) met += crossings(link(i), link(j));
             }
         }
     for (std::size_t c = 0; c < state.capsules.size(); ++c) {
@@ -130,10 +123,8 @@ int audit(const State& state) {
         const Box swept = core.swept();
         for (int p = 0; p < blocks; ++p) {
             if (apart(boxes[static_cast<std::size_t>(p)], swept)) continue;
-            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
-                const Moving moving = link(i);
-                if (!apart(moving.swept(), swept)) met += crossings(moving, core);
-            }
+            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
+                if (!apart(swept_by[static_cast<std::size_t>(i)], swept)) met += crossings(link(i), core);
         }
     }
     if (state.input.surface)
@@ -142,9 +133,8 @@ int audit(const State& state) {
             state.input.surface->near(boxes[static_cast<std::size_t>(p)], state.audit_found);
             if (state.audit_found.empty()) continue;
             for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
-                const Moving moving = link(i);
-                const Box swept = moving.swept();
-                for (const int t : state.audit_found) met += pierces(moving, swept, (*state.input.surface)[t]);
+                const Box& swept = swept_by[static_cast<std::size_t>(i)];
+                for (const int t : state.audit_found) met += pierces(link(i), swept, (*state.input.surface)[t]);
             }
         }
     return met;

@@ -62,7 +62,7 @@ struct Pace {
     double trust = 1;                  ///< Share of the admissible step that the last substep managed.
     int refused_in_a_row = 0;          ///< Substeps undone since the last good one,
     int jams_in_a_row = 0;             ///< those of them at the least trust,
-    int waits = 0;                     ///< and ticks until a jammed thread is tried again.
+    int waits = 0;                     ///< and ticks until what is jammed is tried again.
 };
 
 struct State {
@@ -88,6 +88,7 @@ struct State {
     std::vector<double> bound;         ///< How far each node may move in this substep [m].
     std::vector<Capsule> capsules, capsules_before;
     std::vector<Row> rows;             ///< Contacts that can touch in this substep.
+    std::vector<int> kept;             ///< Nodes that are held in this substep because they press.
 
     // Carried from tick to tick.
     std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected.
@@ -115,7 +116,7 @@ struct State {
     std::vector<Vec3> answer, answer_from_left, coupled_move;
     std::vector<Vec3> carried;         ///< Scratch: how far taut spans went along with their ends.
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
-    mutable std::vector<Box> audit_boxes;  ///< Scratch of the audit.
+    mutable std::vector<Box> audit_boxes, audit_links;  ///< Scratch of the audit.
     mutable std::vector<int> audit_found;
 };
 
@@ -129,7 +130,9 @@ constexpr double bound_share = 0.45;           ///< Two neighbours that each use
 /// How the thread answers when held nodes move. Least motion first: all nodes together move as little as the lengths
 /// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread as
 /// if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
-enum class Answer { drift, follow_the_leader };
+/// Where strands are jammed in each other and no answer is found for them, what presses stays where it is and the slack
+/// around it answers: a knot pulled tight must not hold up the hands that let go of it.
+enum class Answer { drift, follow_the_leader, keep_what_presses };
 struct Substep {
     bool accepted = false;
     double over_bound = 0;

@@ -23,6 +23,23 @@ double largest_capsule_move(const State& state) {
     return moved;
 }
 
+// For the length of an attempt, nodes of strands that press on each other are held where they are.
+static void keep_what_presses(State& state) {
+    for (const Row& row : state.rows) {
+        if (row.against != Against::thread || row.distance >= row.thickness) continue;
+        for (const int node : {row.link, row.link + 1, row.other, row.other + 1}) {
+            if (state.inverse_mass[at(node)] == 0) continue;
+            state.inverse_mass[at(node)] = 0;
+            state.kept.push_back(node);
+        }
+    }
+}
+
+static void let_go_of_kept(State& state) {
+    for (const int node : state.kept) state.inverse_mass[at(node)] = 1;
+    state.kept.clear();
+}
+
 static double try_answer(State& state, double way, Answer answer) {
     std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
     for (Row& row : state.rows) {
@@ -62,7 +79,9 @@ Substep attempt(State& state, double way, Answer answer) {
     state.capsules_before = state.capsules;
     place_capsules(state);
     Substep result;
+    if (answer == Answer::keep_what_presses) keep_what_presses(state);
     result.accepted = try_answer(state, way, answer) <= std::max(1.0, was);
+    let_go_of_kept(state);
     if (!result.accepted) {
         state.nodes = state.before;
         state.capsules = state.capsules_before;

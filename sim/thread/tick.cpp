@@ -96,7 +96,7 @@ bool waits(Pace& pace, const Motion& motion) {
     return true;
 }
 
-// A jammed thread is tried again after 1, 3, 7, 7 ... ticks.
+// What is jammed is tried again after 1, 3, 7, 7 ... ticks.
 void trust_less(Pace& pace) {
     constexpr int longest = 3;
     ++pace.refused_in_a_row;
@@ -106,7 +106,7 @@ void trust_less(Pace& pace) {
 
 void trust_more(Pace& pace, bool was_easy) {
     pace.refused_in_a_row = pace.jams_in_a_row = 0;
-    if (was_easy) pace.trust = std::min(1.0, 2 * pace.trust);
+    pace.trust = std::min(1.0, (was_easy ? 2 : 1.25) * pace.trust);  // a hard step costs the same, however short
 }
 
 // Nothing is asked for, and all is as good as passes make it.
@@ -117,25 +117,24 @@ bool is_at_rest(const State& state, const Motion& motion) {
 
 // Moves tools and held nodes on by a share of the tick's motion and lets the thread answer; what was refused before is
 // tried the other way.
-bool substep(State& state, const Movers& movers, const Motion& motion, TickReport& report) {
+bool substep(State& state, const Movers& movers, const Motion& motion, bool jammed, TickReport& report) {
     constexpr int work_of_looking = 6, easy_work = 12;
     Pace& pace = state.paces[movers.pace];
     look_around(state, motion.most());
     measure_gaps(state);
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     if (is_at_rest(state, motion)) return false;
-    const double share = motion.most() > 0 ? admissible_share(state, movers, motion) * pace.trust : 1;
+    const double share = motion.most() > 0 ? admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust) : 1;
     const int work_before = state.work;
     state.progress_before = state.progress;
     for (std::size_t g = movers.first; g < movers.last; ++g) state.progress[g] = std::min(1.0, state.progress[g] + share);
-    const Answer answer = pace.refused_in_a_row % 2 == 0 ? Answer::drift : Answer::follow_the_leader;
+    const Answer answer = jammed                           ? Answer::keep_what_presses
+                          : pace.refused_in_a_row % 2 == 0 ? Answer::drift
+                                                           : Answer::follow_the_leader;
     const Substep step = attempt(state, share * motion.most(), answer);
-    if (step.accepted) {
-        trust_more(pace, state.work - work_before <= easy_work);
-    } else {
-        state.progress = state.progress_before;
-        trust_less(pace);
-    }
+    if (!step.accepted) state.progress = state.progress_before;
+    if (step.accepted && !jammed) trust_more(pace, state.work - work_before <= easy_work);
+    if (!step.accepted && !jammed) trust_less(pace);
     state.work += work_of_looking;
     ++report.substeps;
     report.pass_throughs += step.pass_throughs;
@@ -152,10 +151,11 @@ void move(State& state, const Movers& movers, int may_cost, TickReport& report) 
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
         return;
     }
-    if (waits(pace, motion)) return;
+    const bool jammed = waits(pace, motion);  // meanwhile the slack around it answers
     const auto arrived = [&] { return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last) >= 1; };
-    while (!arrived() && state.work < may_cost && pace.waits == 0) {
-        const bool accepted = substep(state, movers, motion, report);
+    while (!arrived() && state.work < may_cost && (jammed || pace.waits == 0)) {
+        const bool accepted = substep(state, movers, motion, jammed, report);
+        if (jammed && !accepted) return;
         if (motion.most() > 0 || accepted) continue;
         state.settled = true;  // nothing better can be found and nothing asks for more
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);

@@ -11,6 +11,23 @@ std::string knot_of(const Thread& thread) {
     return sim::knot::name_knot({thread.nodes().begin(), thread.nodes().end()}).knot;
 }
 
+// What a tool does for a hand: it comes after it, at 0.15 m/s at most, as far as the thread lets it.
+struct Hand {
+    explicit Hand(const Vec3& start) : asked(start), at(start), next(start) {}
+
+    void asks_for(const Vec3& by) {
+        constexpr double most_lag = 2e-3, most_step = 0.15e-3;  // [m]: a hand that feels the pull goes no farther
+        asked = at + up_to(most_lag, asked + by - at);
+        next = at + up_to(most_step, asked - at);
+    }
+    void goes(double share) { at += share * (next - at); }
+
+    Vec3 asked, at, next;
+
+  private:
+    static Vec3 up_to(double most, const Vec3& way) { return way.norm() > most ? Vec3(most / way.norm() * way) : way; }
+};
+
 // An overhand knot pulled tight at the slowest and the fastest a hand does it, then past what it can give. A thread
 // that slips through itself, grows longer, shrinks into itself or follows tools without end would teach that any pull
 // is fine.
@@ -73,6 +90,40 @@ TEST(Pull, AToolThatGivesWayNeedNotWaitForOneThatPulls) {
     for (int i = 0; i < 50; ++i) tick_with(back, pull);
     EXPECT_GT(left.x(), 0.8 * 50 * back.x());
     EXPECT_GT(right.x(), stuck);
+}
+
+// Two hands that pull a knot as tight as it goes and on, and then come back by 5 mm. No answer is found for the knot
+// itself, which is pulled tighter than its strands can settle: a thread that froze with it would nail both tools into
+// the air.
+TEST(Pull, HandsComeBackFromAKnotPulledTooTight) {
+    for (const double speed : {0.02, 0.1, 1.0}) {  // [m/s] of either hand
+        SCOPED_TRACE(speed);
+        Thread thread({}, overhand());
+        const std::string knot = knot_of(thread);
+        const Pull ends(thread);
+        Hand left{thread.nodes().front()}, right{thread.nodes().back()};
+        Worst worst;
+        const auto both = [&](const Vec3& left_by, const Vec3& right_by) {
+            left.asks_for(left_by);
+            right.asks_for(right_by);
+            const Hold holds[] = {{ends.first, left.next, left.asked}, {ends.last, right.next, right.asked}};
+            const int owners[] = {0, 1};
+            worst.add(thread.tick({holds, owners, {}, nullptr}));
+            left.goes(thread.progress(0));
+            right.goes(thread.progress(1));
+        };
+        const int pulling = static_cast<int>(0.6 * taken_up(thread) * 2 * radius / (speed * tick)) + 300;
+        for (int i = 0; i < pulling; ++i) both(-speed * tick * ends.away, speed * tick * ends.away);
+        constexpr double back = 0.05e-3;  // [m] a tick
+        constexpr int ticks = 100;
+        const Vec3 left_was = left.at, right_was = right.at;
+        for (int i = 0; i < ticks; ++i) both(back * ends.away, -back * ends.away);
+        EXPECT_GT((left.at - left_was).dot(ends.away), 0.5 * ticks * back);
+        EXPECT_GT((right_was - right.at).dot(ends.away), 0.5 * ticks * back);
+        EXPECT_EQ(knot_of(thread), knot);
+        EXPECT_EQ(worst.pass_throughs, 0);
+        EXPECT_LE(worst.stretch, 0.01);
+    }
 }
 
 }  // namespace
