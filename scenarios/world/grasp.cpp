@@ -75,11 +75,12 @@ bool World::is_held(int node) const {
 
 // Closing jaws hold every strand that passes through their middle plane y = 0 between them, or ends there: by the nodes of
 // the link that passes and those beside it within the jaws' width. A loop that only lies round open jaws is not held.
-// Two tools on one strand hold different nodes.
+// Two tools on one strand hold different nodes. The thread lies where the last tick left it, so it is held by where the tool
+// was then, and goes along with it in this tick already.
 void World::take_hold(Tool& tool) {
     const JawRoom room(tool.shape, tool.now.jaw);
     const int last = static_cast<int>(thread_.nodes().size()) - 1;
-    const auto place = [&](int k) { return in_tool(tool.now, thread_.nodes()[static_cast<std::size_t>(k)]); };
+    const auto place = [&](int k) { return in_tool(tool.before, thread_.nodes()[static_cast<std::size_t>(k)]); };
     // Where a link meets the middle plane; its y is set, as interpolation leaves a rounding error there.
     const auto crossing = [](const Vec3& a, const Vec3& b) {
         Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);

@@ -60,6 +60,29 @@ TEST(Grasp, ClosingJawsHoldTheStrandBetweenThem) {
     }
 }
 
+// A hand snaps at a strand as it goes by, at 0.4 m/s: what the jaws take must go along with them from the first tick, or one
+// jaw runs over the strand that it holds.
+TEST(Grasp, JawsThatCloseAsTheyGoByTakeTheStrandAlong) {
+    int taken = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        Seeded seeded{std::mt19937(seed)};
+        Scene scene(seeded);
+        const Vec3 way = 0.4e-3 * seeded.direction();  // [m] a tick
+        constexpr int closing = 20, going_on = 20;     // [ticks]
+        const Vec3 closed_at = scene.tool.pose.position;
+        scene.tool.pose.position = closed_at - closing * way;
+        World world(scene.def, {}, {&scene.tool, 1});
+        for (int tick = 1; tick <= closing + going_on; ++tick) {
+            scene.tool.pose.position = closed_at + (tick - closing) * way;
+            scene.tool.jaw = std::max(0.0, 1 - 0.8 * tick / closing);
+            world.tick({&scene.tool, 1});
+        }
+        taken += !world.tools()[0].grasps.empty();
+        EXPECT_EQ(world.measures().pass_throughs, 0u) << "seed " << seed;
+    }
+    EXPECT_GE(taken, 10) << "too few to tell";
+}
+
 // Two needle holders above a straight thread along x, their jaws across it near its ends.
 struct TwoTools {
     scenarios::world::WorldDef def;
