@@ -79,7 +79,8 @@ void Session::sample() {
     samples_.push_back(std::move(sample));
 }
 
-// A picture whenever something was grasped or let go or the knot took another name; the report shows the moment.
+// A picture whenever something was grasped or let go or the knot took another name that surgeons use; the report shows the
+// moment.
 void Session::watch_events() {
     constexpr std::size_t most_pictures = 24;
     for (; events_seen_ < world_.events().size(); ++events_seen_) {
@@ -87,7 +88,8 @@ void Session::watch_events() {
         if (key_moments_.size() >= most_pictures) continue;
         if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
         if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
-        if (event.kind == "knot") {
+        const bool is_only_in_tables = event.what.find('_') != std::string::npos && event.what != "0_1";
+        if (event.kind == "knot" && !is_only_in_tables) {
             const std::string caption = "the thread holds: " + (event.what == "0_1" ? "no knot" : event.what);
             key_moments_.push_back(knot_snapshot(caption).value_or(snapshot(caption)));
         }

@@ -131,6 +131,13 @@ void score_throws(const Goal& goal, const world::Measures& measures, std::vector
     items.push_back(item);
 }
 
+const std::string no_knot_to_judge = "There is no knot to judge.";
+
+// Nothing is measured where no knot is.
+bool is_untied(const world::Measures& measures) {
+    return std::all_of(measures.tail_mm.begin(), measures.tail_mm.end(), [](double tail) { return tail == 0; });
+}
+
 void score_tails(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     if (!goal.tails_mm) return;
     const std::vector<double> none = {0, 0};
@@ -138,7 +145,8 @@ void score_tails(const Goal& goal, const world::Measures& measures, std::vector<
     const auto [shorter, longer] = std::minmax_element(tails.begin(), tails.end());
     const std::string too_long = "The tail is longer than asked. Cut it, or start with less thread on this side.";
     const std::string too_short =
-        "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
+        is_untied(measures) ? no_knot_to_judge
+                            : "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
     items.push_back(judged(
         {"tail_short", "Shorter tail", "mm", *shorter, 2, measures.knot_since_s, too_long, too_short}, goal.tails_mm));
     items.push_back(judged({"tail_long", "Longer tail", "mm", *longer, 2, measures.knot_since_s, too_long, too_short},
@@ -150,7 +158,8 @@ void score_around(const Goal& goal, const world::Measures& measures, std::vector
     const auto& found = measures.around;
     ScoreItem item{"around", "Tied around", found.empty() ? "nothing" : found.front(), "", goal.around,
                    std::find(found.begin(), found.end(), goal.around) != found.end(), measures.knot_since_s, ""};
-    if (!item.passed) item.why = "The loop below the knot does not go round the " + goal.around + ".";
+    if (!item.passed)
+        item.why = is_untied(measures) ? no_knot_to_judge : "The loop below the knot does not go round the " + goal.around + ".";
     items.push_back(item);
 }
 

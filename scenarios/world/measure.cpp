@@ -76,7 +76,8 @@ void World::measure(const sim::thread::TickReport& report) {
     raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
-        raise(measures_.lag_max_mm[i], 1e3 * (tool.asked.pose.position - tool.now.pose.position).norm(), t);
+        if (!tool.grasps.empty() && !tool.stopped)  // by steel or a wall: what it lacks then is no pull on the thread
+            raise(measures_.lag_max_mm[i], 1e3 * (tool.asked.pose.position - tool.now.pose.position).norm(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
     }
     name_beside();

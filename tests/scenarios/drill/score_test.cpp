@@ -97,6 +97,7 @@ TEST(Score, NothingTied) {
     EXPECT_EQ(item("knot", m).why, "There is no knot in the thread: the throw was not pulled through, or came undone.");
     EXPECT_FALSE(item("throws", m).passed);
     EXPECT_FALSE(item("tail_short", m).passed);
+    EXPECT_EQ(item("tail_short", m).why, "There is no knot to judge.");
 }
 
 // Both ends of a band belong to it, and both tails are judged: a long tail must not hide a short one.
