@@ -34,6 +34,16 @@ void expect_writable(std::string_view option, const fs::path& file) {
     if (!there) fs::remove(file, ignored);
 }
 
+void expect_ending(std::string_view option, const fs::path& file, std::string_view ending) {
+    if (file.extension() != ending) refuse(option, file, "expected a name that ends in " + std::string(ending));
+}
+
+void expect_not_read(std::string_view option, const fs::path& file, std::initializer_list<fs::path> read) {
+    std::error_code ignored;
+    for (const fs::path& other : read)
+        if (fs::equivalent(file, other, ignored)) refuse(option, file, "it is to be read, expected another name");
+}
+
 void make_folder(std::string_view option, const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

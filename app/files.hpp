@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <initializer_list>
 #include <string_view>
 
 namespace app {
@@ -7,6 +8,13 @@ namespace app {
 /// Called before long work, so that a mistyped path costs nothing. Throws InputFault, which names the option, when no
 /// file can be written at `file`. Makes no file; what is there stays as it is.
 void expect_writable(std::string_view option, const std::filesystem::path& file);
+
+/// Throws InputFault when `file` does not end in `ending` (".png"): a slip of the hand must not cost a file of another kind.
+void expect_ending(std::string_view option, const std::filesystem::path& file, std::string_view ending);
+
+/// Throws InputFault when `file` is one of those that are to be read.
+void expect_not_read(std::string_view option, const std::filesystem::path& file,
+                     std::initializer_list<std::filesystem::path> read);
 
 /// The same for a folder, which is made if missing.
 void make_folder(std::string_view option, const std::filesystem::path& folder);

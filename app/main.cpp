@@ -1,5 +1,6 @@
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 #include "app/command_line.hpp"
@@ -15,7 +16,9 @@ static int fail(int exit_code, const std::string& what) {
 }
 
 int main(int argc, char** argv) try {
-    return app::asked_for(argc, argv)();
+    const int exit_code = app::asked_for(argc, argv)();
+    if (!std::cout.flush()) throw std::runtime_error("standard output could not be written to its end");
+    return exit_code;
 } catch (const app::CheckFailed& failed) {
     return fail(3, failed.what());
 } catch (const app::InputFault& fault) {

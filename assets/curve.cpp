@@ -95,8 +95,9 @@ std::vector<CurveComponent> read_text(const std::filesystem::path& file) {
 }
 
 bool in_one_place(const CurveComponent& component) {
+    constexpr double least = 1e-12;  // [m], a hundredth of an atom; squares of what is far smaller vanish
     for (const Vec3& p : component.vertices)
-        if (p != component.vertices.front()) return false;
+        if ((p - component.vertices.front()).cwiseAbs().maxCoeff() > least) return false;
     return true;
 }
 

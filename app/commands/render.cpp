@@ -7,6 +7,7 @@
 #include "app/files.hpp"
 #include "app/play/output.hpp"
 #include "app/play/recorded.hpp"
+#include "app/report/text.hpp"
 #include "scenarios/drill/motion.hpp"
 
 namespace app {
@@ -53,11 +54,13 @@ Source from_recording(const std::string& file) {
 
 int render_command(const RenderOptions& options) {
     expect_writable("--out", options.out);
+    expect_ending("--out", options.out, ".png");
+    expect_not_read("--out", options.out, {options.source});
     const bool is_drill = std::filesystem::path(options.source).extension() == ".json";
     const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
     const double at_s = options.at_s.value_or(is_drill ? 0 : source.duration_s);
     if (!(at_s >= 0 && at_s <= source.duration_s))
-        throw InputFault("--at " + std::to_string(at_s) + ": error: expected 0 to " + std::to_string(source.duration_s) + " s");
+        throw InputFault("--at " + report::number(at_s, 3) + ": error: expected 0 to " + report::number(source.duration_s, 3) + " s");
     std::vector<ToolInput> inputs(source.drill.world.instruments.size());
     source.inputs_at(0, inputs);
     Session session(source.drill, inputs);
@@ -69,7 +72,7 @@ int render_command(const RenderOptions& options) {
     Snapshot snapshot = session.snapshot("");
     if (options.close) {
         auto near = session.knot_snapshot("");
-        if (!near) throw InputFault(options.source + ": error: --close: there is no knot at " + std::to_string(at_s) + " s");
+        if (!near) throw InputFault(options.source + ": error: --close: there is no knot at " + report::number(at_s, 3) + " s");
         snapshot = std::move(*near);
     }
     const auto png = picture_of(session, snapshot);

@@ -17,6 +17,9 @@ struct Case {
 
 const std::string header = "t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw\n";
 
+// Where an answer would go that bad input never comes to.
+std::string never(const char* name) { return (std::filesystem::temp_directory_path() / name).string(); }
+
 // Whatever a command reads: nothing, nonsense, half of it, not there, not a file.
 void add_every_command(std::vector<Case>& all) {
     const std::vector<std::vector<std::string>> calls = {{"run", "FILE"},
@@ -24,9 +27,9 @@ void add_every_command(std::vector<Case>& all) {
                                                          {"explain", "FILE"},
                                                          {"replay", "FILE"},
                                                          {"replay", "--verify", "FILE"},
-                                                         {"render", "FILE", "--out", "/dev/null"},
+                                                         {"render", "FILE", "--out", never("never.png")},
                                                          {"knot", "FILE"},
-                                                         {"motion", "FILE", "--out", "/dev/null"},
+                                                         {"motion", "FILE", "--out", never("never.csv")},
                                                          {"run", still::drill, "--input", "FILE"}};
     const std::string contents[] = {"", program::junk(1, 4096), "{\"carrel_drill\": 1, \"tit", "<missing>", "<directory>"};
     for (const auto& call : calls)
@@ -61,7 +64,7 @@ void add_waypoints(std::vector<Case>& all) {
           start + "jaw left 0 in -1\n", start + "go right 0 0 0\n", start + "go left 0 0 1 left 0 0 2\n",
           start + "go left 0 0\n", start + "speed 0\n", start + "wait 1e9\n", start + "go left 1 1 1 now\n",
           std::string(2 << 20, 'x')})
-        all.push_back({{"motion", "FILE", "--out", "/dev/null"}, text, ".waypoints"});
+        all.push_back({{"motion", "FILE", "--out", never("never.csv")}, text, ".waypoints"});
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -220,6 +223,10 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
     const Folder folder;
     const std::string notes = folder.write("notes.txt", "mine"), motion = folder.write("m.csv", still::motion("0.05"));
     const std::string waypoints = CARREL_SOURCE "/scenarios/drills/square-knot.waypoints";
+    const std::string drill = folder.write("result.json", program::read(still::drill));  // as a report would be called
+    const std::string curve = folder.write("curve.xyz", "0 0 0\n10 0 0\n"), still_rope = folder.write(
+        "rope.csv", "t_s,node,x_mm,y_mm,z_mm\n0,first,0,0,0\n0.01,first,-1,0,0\n");
+    folder.write("square-knot.csv", program::read(CARREL_SOURCE "/scenarios/drills/square-knot.csv"));
     const auto run_to = [&](const std::string& option, const std::string& place) {
         return std::vector<std::string>{"run", still::drill, "--input", motion, option, place};
     };
@@ -233,12 +240,18 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {"/proc/x", run_to("--out", "/proc/x")},
              {"--frames", run_to("--frames", "3")},  // nowhere to go
              {"/nowhere/x.csv", {"motion", waypoints, "--out", "/nowhere/x.csv"}},
-             {folder.path(""), {"motion", waypoints, "--out", folder.path("")}}}) {
+             {folder.path(""), {"motion", waypoints, "--out", folder.path("")}},
+             {notes, {"motion", waypoints, "--out", notes}},
+             {notes, {"render", still::drill, "--out", notes}},
+             {curve, {"rope", curve, "--motion", still_rope, "--out", curve}},
+             {drill, {"run", drill, "--input", motion, "--out", folder.path("")}}}) {
         SCOPED_TRACE(testing::PrintToString(call));
         program::expect_one_line_naming(blamed, program::run(call));
     }
     EXPECT_EQ(program::read(notes), "mine");
     EXPECT_EQ(program::read(motion), still::motion("0.05"));
+    EXPECT_EQ(program::read(curve), "0 0 0\n10 0 0\n");
+    EXPECT_EQ(program::read(drill), program::read(still::drill));
 }
 
 // A mistyped option is bad input like any other: one line that says what to look up.
