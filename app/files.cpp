@@ -21,8 +21,10 @@ namespace {
 
 }  // namespace
 
-void expect_writable(std::string_view option, const fs::path& file) {
+void expect_writable(std::string_view option, const fs::path& file, std::initializer_list<fs::path> read) {
     std::error_code ignored;
+    for (const fs::path& other : read)
+        if (fs::equivalent(file, other, ignored)) refuse(option, file, "it is to be read, expected another name");
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (file.empty() || fs::is_directory(file, ignored)) refuse(option, file, "is a folder, expected the name of a file");
     if (!fs::is_directory(folder, ignored)) refuse(option, file, "there is no folder " + folder.string());
@@ -36,12 +38,6 @@ void expect_writable(std::string_view option, const fs::path& file) {
 
 void expect_ending(std::string_view option, const fs::path& file, std::string_view ending) {
     if (file.extension() != ending) refuse(option, file, "expected a name that ends in " + std::string(ending));
-}
-
-void expect_not_read(std::string_view option, const fs::path& file, std::initializer_list<fs::path> read) {
-    std::error_code ignored;
-    for (const fs::path& other : read)
-        if (fs::equivalent(file, other, ignored)) refuse(option, file, "it is to be read, expected another name");
 }
 
 void make_folder(std::string_view option, const fs::path& folder) {

@@ -47,6 +47,13 @@ inline std::string read(const std::string& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// The text with its first `from` made `to`; throws when there is none.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::runtime_error("nowhere is " + from);
+    return text.replace(at, from.size(), to);
+}
+
 /// Bytes of no format: the same for the same seed.
 inline std::string junk(unsigned seed, std::size_t size) {
     std::mt19937 random(seed);

@@ -5,7 +5,7 @@
 namespace app {
 
 int motion_command(const MotionOptions& options) {
-    expect_writable("--out", options.out);
+    expect_writable("--out", options.out, {options.waypoints});
     expect_ending("--out", options.out, ".csv");
     const auto waypoints = scenarios::drill::load_waypoints(options.waypoints);
     scenarios::drill::write_motion(options.out, waypoints.motion, waypoints.instruments);

@@ -53,9 +53,8 @@ Source from_recording(const std::string& file) {
 }  // namespace
 
 int render_command(const RenderOptions& options) {
-    expect_writable("--out", options.out);
+    expect_writable("--out", options.out, {options.source});
     expect_ending("--out", options.out, ".png");
-    expect_not_read("--out", options.out, {options.source});
     const bool is_drill = std::filesystem::path(options.source).extension() == ".json";
     const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
     const double at_s = options.at_s.value_or(is_drill ? 0 : source.duration_s);

@@ -2,7 +2,6 @@
 
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
-#include "app/files.hpp"
 #include "app/play/output.hpp"
 #include "app/play/recorded.hpp"
 #include "app/progress.hpp"
@@ -57,7 +56,7 @@ bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
 }  // namespace
 
 int replay_command(const ReplayOptions& options) {
-    if (!options.out.empty()) make_folder("--out", options.out);
+    if (!options.out.empty()) expect_output(options.out, {options.recording});
     const auto [recording, drill] = load_recorded(options.recording);
     Session session(drill, recording.tick(0));
     const bool scores_asked_for = !options.verify || !options.out.empty() || options.json;

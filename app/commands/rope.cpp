@@ -176,8 +176,7 @@ int rope_command(const RopeOptions& options) {
     experiment.obstacle = obstacle.get();
     std::ofstream positions;
     if (!options.out.empty()) {
-        expect_writable("--out", options.out);
-        expect_not_read("--out", options.out, {options.curve, options.motion, options.obstacle});
+        expect_writable("--out", options.out, {options.curve, options.motion, options.obstacle});
         positions.open(options.out, std::ios::binary);
         experiment.positions = &positions;
     }

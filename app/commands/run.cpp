@@ -72,11 +72,7 @@ int run_command(const RunOptions& options) {
     std::vector<ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);
     Session session(drill, start);
-    if (!options.out.empty()) {
-        make_folder("--out", options.out);
-        for (const char* written : {"result.json", "report.html"})
-            expect_not_read("--out", std::filesystem::path(options.out) / written, {options.drill, motion_file});
-    }
+    if (!options.out.empty()) expect_output(options.out, {options.drill, motion_file});
     auto recorder = open_recorder(options, drill);
 
     constexpr double settling_s = 0.5;  // tools at rest after the last key, so that "at rest" can be measured

@@ -59,6 +59,11 @@ std::vector<unsigned char> picture_of(const Session& session, const Snapshot& sn
     return draw::encode_png(draw::render(canvas, picture));
 }
 
+void expect_output(const std::filesystem::path& dir, std::initializer_list<std::filesystem::path> read) {
+    make_folder("--out", dir);
+    for (const char* name : {"result.json", "report.html", "end.png", "end-close.png"}) expect_writable("--out", dir / name, read);
+}
+
 void write_output(const std::filesystem::path& dir, const Session& session, const scenarios::drill::Result& result,
                   const std::vector<Snapshot>& frames) {
     write_file(dir / "result.json", report::result_json(result));

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <initializer_list>
 #include <vector>
 
 #include "app/play/session.hpp"
@@ -8,6 +9,10 @@ namespace app {
 
 /// PNG bytes of the scene at a snapshot: the operative field with all jaws, or the snapshot's knot from near.
 std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot);
+
+/// Called before long work. Makes the folder; throws InputFault, which names --out, when what is to be written there cannot be,
+/// or is one of the files that are to be `read`.
+void expect_output(const std::filesystem::path& dir, std::initializer_list<std::filesystem::path> read);
 
 /// result.json, report.html and, if any, frames as frame-0001.png ... in `dir`, which exists.
 /// Throws std::runtime_error when they cannot be written.

@@ -88,8 +88,8 @@ void Session::watch_events() {
         if (key_moments_.size() >= most_pictures) continue;
         if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
         if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
-        const bool is_only_in_tables = event.what.find('_') != std::string::npos && event.what != "0_1";
-        if (event.kind == "knot" && !is_only_in_tables) {
+        const bool surgeons_know = event.what == "0_1" || !world_.measures().knot.surgical.empty();
+        if (event.kind == "knot" && surgeons_know) {
             const std::string caption = "the thread holds: " + (event.what == "0_1" ? "no knot" : event.what);
             key_moments_.push_back(knot_snapshot(caption).value_or(snapshot(caption)));
         }

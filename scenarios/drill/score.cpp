@@ -55,8 +55,10 @@ constexpr Lesson lessons[] = {
     {"overhand", "granny", "There are two throws. An overhand knot is one."},
 };
 
+bool is_untied(const Name& name) { return name.knot == "0_1" && name.surgical.empty(); }
+
 std::string why_not_tied(const std::string& asked, const Name& found) {
-    if (found.knot == "0_1" && found.surgical.empty())
+    if (is_untied(found))
         return "There is no knot in the thread: the throw was not pulled through, or came undone.";
     for (const Lesson& lesson : lessons)
         if (asked == lesson.asked && tie_of(found) == lesson.tied) return lesson.why;
@@ -131,12 +133,7 @@ void score_throws(const Goal& goal, const world::Measures& measures, std::vector
     items.push_back(item);
 }
 
-const std::string no_knot_to_judge = "There is no knot to judge.";
-
-// Nothing is measured where no knot is.
-bool is_untied(const world::Measures& measures) {
-    return std::all_of(measures.tail_mm.begin(), measures.tail_mm.end(), [](double tail) { return tail == 0; });
-}
+constexpr const char* no_knot_to_judge = "There is no knot to judge.";
 
 void score_tails(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     if (!goal.tails_mm) return;
@@ -145,8 +142,8 @@ void score_tails(const Goal& goal, const world::Measures& measures, std::vector<
     const auto [shorter, longer] = std::minmax_element(tails.begin(), tails.end());
     const std::string too_long = "The tail is longer than asked. Cut it, or start with less thread on this side.";
     const std::string too_short =
-        is_untied(measures) ? no_knot_to_judge
-                            : "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
+        is_untied(measures.knot) ? no_knot_to_judge
+                                 : "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
     items.push_back(judged(
         {"tail_short", "Shorter tail", "mm", *shorter, 2, measures.knot_since_s, too_long, too_short}, goal.tails_mm));
     items.push_back(judged({"tail_long", "Longer tail", "mm", *longer, 2, measures.knot_since_s, too_long, too_short},
@@ -159,7 +156,7 @@ void score_around(const Goal& goal, const world::Measures& measures, std::vector
     ScoreItem item{"around", "Tied around", found.empty() ? "nothing" : found.front(), "", goal.around,
                    std::find(found.begin(), found.end(), goal.around) != found.end(), measures.knot_since_s, ""};
     if (!item.passed)
-        item.why = is_untied(measures) ? no_knot_to_judge : "The loop below the knot does not go round the " + goal.around + ".";
+        item.why = is_untied(measures.knot) ? no_knot_to_judge : "The loop below the knot does not go round the " + goal.around + ".";
     items.push_back(item);
 }
 

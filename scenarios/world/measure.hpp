@@ -23,7 +23,8 @@ struct Measures {
     std::vector<double> path_mm;               ///< Per instrument, commanded path of the tip.
     std::vector<int> grasps;                   ///< Per instrument.
     Moment tension_max_N;
-    std::vector<Moment> lag_max_mm;            ///< Per instrument: commanded against simulated tip.
+    std::vector<Moment> lag_max_mm;            ///< Per instrument that holds thread and that nothing else stops: commanded
+                                               ///< against simulated tip.
     std::uint64_t pass_throughs = 0;
     double first_pass_through_s = 0;
 };

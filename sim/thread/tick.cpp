@@ -104,10 +104,14 @@ void trust_less(Pace& pace) {
     pace.trust = std::max(least_trust, pace.trust / 2);
 }
 
+// A hard step costs the same however short it is, so it too may become longer; slower, for a refused one halves it again.
 void trust_more(Pace& pace, bool was_easy) {
     pace.refused_in_a_row = pace.jams_in_a_row = 0;
-    pace.trust = std::min(1.0, (was_easy ? 2 : 1.25) * pace.trust);  // a hard step costs the same, however short
+    pace.trust = std::min(1.0, (was_easy ? 2 : 1.25) * pace.trust);
 }
+
+// What was refused before is tried the other way.
+Answer next_answer(const Pace& pace) { return pace.refused_in_a_row % 2 == 0 ? Answer::drift : Answer::follow_the_leader; }
 
 // Nothing is asked for, and all is as good as passes make it.
 bool is_at_rest(const State& state, const Motion& motion) {
@@ -115,8 +119,8 @@ bool is_at_rest(const State& state, const Motion& motion) {
     return std::all_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return over_goal(state, row, row.distance) < 1; });
 }
 
-// Moves tools and held nodes on by a share of the tick's motion and lets the thread answer; what was refused before is
-// tried the other way.
+// Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the slack
+// around it does: that is easily found, and says nothing of how far to trust.
 bool substep(State& state, const Movers& movers, const Motion& motion, bool jammed, TickReport& report) {
     constexpr int work_of_looking = 6, easy_work = 12;
     Pace& pace = state.paces[movers.pace];
@@ -128,13 +132,9 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
     const int work_before = state.work;
     state.progress_before = state.progress;
     for (std::size_t g = movers.first; g < movers.last; ++g) state.progress[g] = std::min(1.0, state.progress[g] + share);
-    const Answer answer = jammed                           ? Answer::keep_what_presses
-                          : pace.refused_in_a_row % 2 == 0 ? Answer::drift
-                                                           : Answer::follow_the_leader;
-    const Substep step = attempt(state, share * motion.most(), answer);
+    const Substep step = attempt(state, share * motion.most(), jammed ? Answer::keep_what_presses : next_answer(pace));
     if (!step.accepted) state.progress = state.progress_before;
-    if (step.accepted && !jammed) trust_more(pace, state.work - work_before <= easy_work);
-    if (!step.accepted && !jammed) trust_less(pace);
+    if (!jammed) step.accepted ? trust_more(pace, state.work - work_before <= easy_work) : trust_less(pace);
     state.work += work_of_looking;
     ++report.substeps;
     report.pass_throughs += step.pass_throughs;
@@ -151,7 +151,7 @@ void move(State& state, const Movers& movers, int may_cost, TickReport& report) 
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
         return;
     }
-    const bool jammed = waits(pace, motion);  // meanwhile the slack around it answers
+    const bool jammed = waits(pace, motion);
     const auto arrived = [&] { return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last) >= 1; };
     while (!arrived() && state.work < may_cost && (jammed || pace.waits == 0)) {
         const bool accepted = substep(state, movers, motion, jammed, report);

@@ -67,22 +67,16 @@ void add_waypoints(std::vector<Case>& all) {
         all.push_back({{"motion", "FILE", "--out", never("never.csv")}, text, ".waypoints"});
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::runtime_error("the drill has no " + from);
-    return text.replace(at, from.size(), to);
-}
-
 /// A drill whose vessel is this mesh; writes the mesh and a short motion beside it. The program itself says its SHA-256.
 std::string drill_of_mesh(const Folder& folder, const std::string& mesh) {
     folder.write("vessel.obj", mesh);
     folder.write("motion.csv", still::motion("0.05"));
     const std::string tube = "\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}", wrong(64, '0');
-    std::string drill = replaced(program::read(still::drill), "square-knot.csv", "motion.csv");
-    drill = replaced(drill, tube, "\"mesh\": {\"file\": \"vessel.obj\", \"sha256\": \"" + wrong + "\"}");
+    std::string drill = program::replaced(program::read(still::drill), "square-knot.csv", "motion.csv");
+    drill = program::replaced(drill, tube, "\"mesh\": {\"file\": \"vessel.obj\", \"sha256\": \"" + wrong + "\"}");
     const auto told = program::run({"validate", folder.write("drill.json", drill)});
     program::expect_one_line_naming("/vessels/0/mesh/sha256", told);
-    return replaced(drill, wrong, told.said.substr(told.said.size() - 65, 64));
+    return program::replaced(drill, wrong, told.said.substr(told.said.size() - 65, 64));
 }
 
 void expect_refused(const Case& c, const Folder& folder, const std::string& blamed) {
@@ -130,9 +124,9 @@ TEST(BadInput, ADrillIsRefusedWithThePlaceInIt) {
         {"\"tube\": {\"diameter_mm\"", "\"mesh\": \"x.obj\", \"tube\": {\"diameter_mm\""}};
     for (const auto& [from, to] : swaps)
         for (const std::string command : {"validate", "explain", "run"})
-            expect_refused({{command, "FILE"}, replaced(good, from, to)}, Folder(), ": error: /");
+            expect_refused({{command, "FILE"}, program::replaced(good, from, to)}, Folder(), ": error: /");
     const std::string brackets(100000, '[');
-    for (const std::string& text : {brackets, replaced(good, "[1, 0, 0]", brackets), replaced(good, "300", "1e400"), replaced(good, "300", "NaN"),
+    for (const std::string& text : {brackets, program::replaced(good, "[1, 0, 0]", brackets), program::replaced(good, "300", "1e400"), program::replaced(good, "300", "NaN"),
                                     good + "}", std::string(5 << 20, ' ')})
         expect_refused({{"validate", "FILE"}, text}, Folder(), "");
 }
@@ -220,13 +214,15 @@ TEST(BadInput, ARecordingOfAnotherMeshIsNamed) {
 
 // Where the answer cannot be written it must be said before the work, and nothing that is there may be lost.
 TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
-    const Folder folder;
+    const Folder folder, other;
     const std::string notes = folder.write("notes.txt", "mine"), motion = folder.write("m.csv", still::motion("0.05"));
     const std::string waypoints = CARREL_SOURCE "/scenarios/drills/square-knot.waypoints";
     const std::string drill = folder.write("result.json", program::read(still::drill));  // as a report would be called
-    const std::string curve = folder.write("curve.xyz", "0 0 0\n10 0 0\n"), still_rope = folder.write(
-        "rope.csv", "t_s,node,x_mm,y_mm,z_mm\n0,first,0,0,0\n0.01,first,-1,0,0\n");
-    folder.write("square-knot.csv", program::read(CARREL_SOURCE "/scenarios/drills/square-knot.csv"));
+    const std::string curve = folder.write("curve.xyz", "0 0 0\n10 0 0\n");
+    const std::string pull = folder.write("pull.csv", "t_s,node,x_mm,y_mm,z_mm\n0,first,0,0,0\n0.01,first,-1,0,0\n");
+    const std::string recording = other.path("result.json");
+    ASSERT_EQ(program::run({"run", still::drill, "--input", motion, "--record", recording}).exit, 0);
+    const std::string steps = folder.write("steps.csv", program::read(waypoints));
     const auto run_to = [&](const std::string& option, const std::string& place) {
         return std::vector<std::string>{"run", still::drill, "--input", motion, option, place};
     };
@@ -243,8 +239,10 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {folder.path(""), {"motion", waypoints, "--out", folder.path("")}},
              {notes, {"motion", waypoints, "--out", notes}},
              {notes, {"render", still::drill, "--out", notes}},
-             {curve, {"rope", curve, "--motion", still_rope, "--out", curve}},
-             {drill, {"run", drill, "--input", motion, "--out", folder.path("")}}}) {
+             {steps, {"motion", steps, "--out", steps}},
+             {curve, {"rope", curve, "--motion", pull, "--out", curve}},
+             {drill, {"run", drill, "--input", motion, "--out", folder.path("")}},
+             {recording, {"replay", recording, "--out", other.path("")}}}) {
         SCOPED_TRACE(testing::PrintToString(call));
         program::expect_one_line_naming(blamed, program::run(call));
     }
@@ -252,6 +250,19 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
     EXPECT_EQ(program::read(motion), still::motion("0.05"));
     EXPECT_EQ(program::read(curve), "0 0 0\n10 0 0\n");
     EXPECT_EQ(program::read(drill), program::read(still::drill));
+    EXPECT_EQ(program::read(steps), program::read(waypoints));
+    EXPECT_EQ(program::run({"replay", "--verify", recording}).exit, 0);
+}
+
+// A full disk behind a pipe: a script that trusts exit 0 would go on with half an answer.
+TEST(BadInput, AnAnswerThatCannotBePrintedIsAFault) {
+    const Folder folder;
+    for (const std::vector<std::string>& call :
+         std::vector<std::vector<std::string>>{{"validate", "--schema"}, {"explain", still::drill}}) {
+        int status = 0;
+        ASSERT_GT(waitpid(program::start(call, "/dev/full", folder.path("said")), &status, 0), 0);
+        EXPECT_EQ(WEXITSTATUS(status), 1) << call.front();
+    }
 }
 
 // A mistyped option is bad input like any other: one line that says what to look up.

@@ -39,11 +39,8 @@ class Terminal {
 /// A session of ten minutes, more than the square drill allows: no machine is through with it before it is killed.
 std::string long_drill(const program::Folder& folder) {
     folder.write("still.csv", still::motion("600"));
-    std::string drill = program::read(still::drill);
-    const auto put = [&](const std::string& now, const std::string& then) { drill.replace(drill.find(then), then.size(), now); };
-    put("still.csv", "square-knot.csv");
-    put("\"time_limit_s\": 600", "\"time_limit_s\": 120");
-    return folder.write("still.json", drill);
+    const std::string drill = program::replaced(program::read(still::drill), "square-knot.csv", "still.csv");
+    return folder.write("still.json", program::replaced(drill, "\"time_limit_s\": 120", "\"time_limit_s\": 600"));
 }
 
 /// Starts it, kills it that long after it began to move, and tells how far it had come at least.

@@ -65,7 +65,8 @@ TEST(LoadCurve, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(fault("0 0 0\n1 0 1e999\n"), ":2:5: error: expected a finite coordinate within 1e9 mm, found '1e999'");
     EXPECT_EQ(fault("0 0 0\n1 0x 0\n"), ":2:3: error: expected a number, found '0x'; a line is 'x y z' in mm");
     EXPECT_EQ(fault("0 0\n"), ":1: error: expected three numbers 'x y z' in mm, found 2");
-    EXPECT_EQ(fault("1 1 1\n1 1 1\n"), ":1: error: all vertices of this component are in one place; expected a curve");
+    for (const char* point : {"1 1 1\n1 1 1\n", "0 0 0\n1e-200 0 0\n1e-200 1e-200 0\n0 0 1e-200\n"})
+        EXPECT_EQ(fault(point), ":1: error: all vertices of this component are in one place; expected a curve");
     EXPECT_EQ(fault("\xffx"), ":1:1: error: expected a number, found '?x'; a line is 'x y z' in mm");
     EXPECT_EQ(fault(std::string(100000, '1')),
               ":1: error: a line of more than 4000 characters is not a vertex 'x y z'");

@@ -98,6 +98,8 @@ TEST(Score, NothingTied) {
     EXPECT_FALSE(item("throws", m).passed);
     EXPECT_FALSE(item("tail_short", m).passed);
     EXPECT_EQ(item("tail_short", m).why, "There is no knot to judge.");
+    m.around = {};
+    EXPECT_EQ(item("around", m).why, "There is no knot to judge.");
 }
 
 // Both ends of a band belong to it, and both tails are judged: a long tail must not hide a short one.

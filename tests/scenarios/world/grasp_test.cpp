@@ -131,4 +131,18 @@ TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
+// A tool that comes up against the other goes no farther, however far its hand goes. It holds no thread: to score that as a
+// pull on one would teach a fault nobody made.
+TEST(Grasp, AToolThatHoldsNothingPullsNothing) {
+    TwoTools scene;
+    World world(scene.def, {}, scene.tools);
+    auto& right = scene.tools[1];
+    for (int i = 0; i < 240; ++i) {
+        right.pose.position.x() -= 0.1e-3;
+        world.tick(scene.tools);
+    }
+    EXPECT_GT((world.tools()[1].now.pose.position - right.pose.position).norm(), 1e-3) << "nothing was in its way";
+    EXPECT_EQ(world.measures().lag_max_mm[1].value, 0);
+}
+
 }  // namespace
