@@ -121,6 +121,16 @@ void add_rope(CLI::App& program, Chosen& chosen) {
     command->callback([=, &chosen] { chosen = [o] { return rope_command(*o); }; });
 }
 
+void add_bench(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("bench", "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
+    auto options = std::make_shared<BenchOptions>();
+    command->add_option("SUITE", options->suite, "What to measure: speed")->required();
+    command->add_flag("--quick", options->quick, "Once and without the longest, in seconds");
+    command->add_option("--plot", options->plot, "Picture of speed against error to write (.svg)");
+    command->add_flag("--json", options->json, "One JSON object on stdout");
+    command->callback([=, &chosen] { chosen = [options] { return bench_command(*options); }; });
+}
+
 }  // namespace
 
 std::function<int()> asked_for(int argc, char** argv) {
@@ -128,7 +138,7 @@ std::function<int()> asked_for(int argc, char** argv) {
     program.require_subcommand(1);
     program.failure_message(usage_fault);
     Chosen chosen;
-    for (const auto add : {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope})
+    for (const auto add : {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope, add_bench})
         add(program, chosen);
     try {
         program.parse(argc, argv);

@@ -67,4 +67,11 @@ struct RopeOptions {
 };
 int rope_command(const RopeOptions& options);
 
+/// Measures on this machine what the tables of docs/ say.
+struct BenchOptions {
+    std::string suite, plot;
+    bool json = false, quick = false;
+};
+int bench_command(const BenchOptions& options);
+
 }  // namespace app

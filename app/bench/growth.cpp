@@ -1,0 +1,81 @@
+#include <cmath>
+
+#include "app/bench/core.hpp"
+#include "app/bench/gauge.hpp"
+#include "app/bench/shape.hpp"
+#include "app/bench/speed.hpp"
+#include "app/bench/stopwatch.hpp"
+#include "app/bench/thread_rope.hpp"
+
+namespace app::bench {
+
+namespace {
+
+constexpr double link = 1e-3;  // [m], as long as the thread is thick
+
+/// A coil of thread whose ends are slowly drawn out.
+struct Lying {
+    std::string id, words;
+    double radius, pitch;  ///< In links.
+};
+
+const Lying lying[] = {{"loose", "turns ten diameters apart", 20, 10},  // touches nowhere
+                       {"coiled", "turn beside turn", 5, 1.05}};        // every link near four others
+
+// Median processor time of a tick [us].
+double cost_of(const Lying& how, int links) {
+    const std::vector<Vec3> start = coil(links, link, how.radius * link, how.pitch * link);
+    ThreadRope rope({.links = links, .length = links * link}, start);
+    constexpr int warm_up = 50, ticks = 250;
+    constexpr double step = 0.01 * link;  // a tick: 10 mm/s, a surgeon's median
+    std::vector<double> us;
+    for (int i = 1; i <= ticks; ++i) {
+        const Vec3 out = i * step * Vec3::UnitX();
+        const double begin = processor_time();
+        rope.tick(start.front() - out, start.back() + out);
+        if (i > warm_up) us.push_back(1e6 * (processor_time() - begin));
+    }
+    return percentile(us, 0.5);
+}
+
+struct Fit {
+    double exponent, error;  ///< Error: one standard deviation of the slope, from what the line leaves over.
+};
+
+// Least squares of log cost against log n.
+Fit fit(const std::vector<double>& n, const std::vector<double>& cost) {
+    const auto count = static_cast<double>(n.size());
+    double x = 0, y = 0, xx = 0, xy = 0, rest = 0;
+    for (std::size_t i = 0; i < n.size(); ++i) x += std::log(n[i]) / count, y += std::log(cost[i]) / count;
+    for (std::size_t i = 0; i < n.size(); ++i) {
+        const double dx = std::log(n[i]) - x;
+        xx += dx * dx, xy += dx * (std::log(cost[i]) - y);
+    }
+    for (std::size_t i = 0; i < n.size(); ++i) rest += std::pow(std::log(cost[i]) - y - xy / xx * (std::log(n[i]) - x), 2);
+    return {xy / xx, std::sqrt(rest / (count - 2) / xx)};
+}
+
+}  // namespace
+
+void add_growth(Suite& suite, bool quick, const Progress& progress) {
+    std::vector<double> sizes{100, 300, 1000};
+    if (!quick) sizes.insert(sizes.end(), {3000, 10000});
+    for (const Lying& how : lying) {
+        progress("growth, " + how.words);
+        const Stopwatch all;
+        std::vector<double> costs;
+        for (const double links : sizes) {
+            const Stopwatch watch;
+            costs.push_back(cost_of(how, static_cast<int>(links)));
+            const std::string n = std::to_string(static_cast<int>(links));
+            suite.rows.push_back({.id = "growth-" + how.id + "-n" + n, .what = n + " links, " + how.words + ": median tick",
+                                  .value = costs.back(), .unit = "us", .bound = {}, .must = Must::be_at_most, .error = {}, .seconds = watch.seconds()});
+        }
+        const Fit found = fit(sizes, costs);
+        suite.rows.push_back({.id = "growth-" + how.id + "-exponent", .what = how.words + ": cost grows as links to the power of",
+                              .value = found.exponent, .unit = "power", .bound = 1.2, .must = Must::be_at_most, .error = found.error,
+                              .seconds = all.seconds()});
+    }
+}
+
+}  // namespace app::bench

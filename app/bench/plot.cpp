@@ -1,0 +1,129 @@
+#include "app/bench/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace app::bench {
+
+namespace {
+
+// Pixels: a chart's plot, and the room around it for figures and titles.
+constexpr double width = 260, height = 220, left = 70, top = 46, bottom = 50, gap = 10;
+constexpr const char* colours[] = {"#1b6ca8", "#c2571a", "#3a7d44", "#7a4fa3"};
+
+std::string figure(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+std::string px(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", value);
+    return text;
+}
+
+std::string text(double x, double y, const std::string& anchor, const std::string& words, const std::string& more = "") {
+    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + words + "</text>\n";
+}
+
+std::string line(double x1, double y1, double x2, double y2) {
+    return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" stroke=\"#999\"/>\n";
+}
+
+struct Axis {
+    double low, high;
+    double share(double value) const { return (value - low) / (high - low); }
+};
+
+// A distance of figures along an axis that reads well: 1, 2 or 5 times a power of ten, about four of them.
+double nice_step(const Axis& axis) {
+    const double rough = (axis.high - axis.low) / 4, power = std::pow(10, std::floor(std::log10(rough)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= rough) return digit * power;
+    return 10 * power;
+}
+
+Axis axis_of(const std::vector<double>& values) {
+    if (values.empty()) return {0, 1};
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    Axis axis{*least, *most};
+    if (axis.high == axis.low) axis = {axis.low - 0.5, axis.high + 0.5};
+    const double step = nice_step(axis);
+    return {step * std::floor(axis.low / step), step * std::ceil(axis.high / step)};
+}
+
+bool is_drawn(const Point& p) { return p.x > 0 && std::isfinite(p.x) && std::isfinite(p.y); }
+
+// Draws one chart with its plot's upper left corner at (x0, top).
+class Drawing {
+  public:
+    Drawing(const Chart& chart, double x0) : chart_(chart), x0_(x0) {
+        std::vector<double> xs, ys;
+        for (const Series& series : chart.series)
+            for (const Point& p : series.points)
+                if (is_drawn(p)) xs.push_back(std::log10(p.x)), ys.push_back(p.y);
+        x_axis_ = axis_of(xs);
+        x_axis_ = {std::floor(x_axis_.low), std::ceil(x_axis_.high)};  // whole decades
+        y_axis_ = axis_of(ys);
+    }
+
+    std::string drawn() {
+        out_ += "<rect x=\"" + px(x0_) + "\" y=\"" + px(top) + "\" width=\"" + px(width) + "\" height=\"" + px(height) +
+                "\" fill=\"none\" stroke=\"#333\"/>\n";
+        draw_axes();
+        for (std::size_t i = 0; i < chart_.series.size(); ++i) draw(chart_.series[i], i);
+        return out_;
+    }
+
+  private:
+    double x(double value) const { return x0_ + width * x_axis_.share(std::log10(value)); }
+    double y(double value) const { return top + height * (1 - y_axis_.share(value)); }
+
+    void draw_axes() {
+        const double under = top + height;
+        for (double decade = x_axis_.low; decade <= x_axis_.high; ++decade) {
+            const double at = x(std::pow(10, decade));
+            out_ += line(at, under, at, under + 5) + text(at, under + 18, "middle", figure(std::pow(10, decade)));
+        }
+        const double step = nice_step(y_axis_);
+        for (double value = y_axis_.low; value < y_axis_.high + 0.5 * step; value += step)
+            out_ += line(x0_ - 5, y(value), x0_, y(value)) + text(x0_ - 8, y(value) + 4, "end", figure(value));
+        out_ += text(x0_ + width / 2, under + 38, "middle", chart_.x_title);
+        const std::string centre = px(x0_ - 50) + " " + px(top + height / 2);
+        out_ += text(x0_ - 50, top + height / 2, "middle", chart_.y_title, " transform=\"rotate(-90 " + centre + ")\"");
+    }
+
+    void draw(const Series& series, std::size_t number) {
+        const std::string colour = colours[number % std::size(colours)];
+        std::string path;
+        for (const Point& p : series.points) {
+            if (!is_drawn(p)) continue;
+            path += px(x(p.x)) + "," + px(y(p.y)) + " ";
+            out_ += "<circle cx=\"" + px(x(p.x)) + "\" cy=\"" + px(y(p.y)) + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
+            out_ += text(x(p.x) + 5, y(p.y) - 5, "start", p.label, " font-size=\"9\" fill=\"" + colour + "\"");
+        }
+        out_ += "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\"/>\n";
+        const double row = top - 34 + 13 * static_cast<double>(number);
+        out_ += text(x0_ + width, row, "end", series.name, " fill=\"" + colour + "\"");
+    }
+
+    const Chart& chart_;
+    double x0_;
+    Axis x_axis_, y_axis_;
+    std::string out_;
+};
+
+}  // namespace
+
+std::string svg(const std::vector<Chart>& charts) {
+    const double pitch = left + width + gap;
+    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(pitch * static_cast<double>(charts.size()) + gap) + "\" height=\"" +
+                      px(top + height + bottom) + "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#333\">\n" +
+                      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left + pitch * static_cast<double>(i)).drawn();
+    return out + "</svg>\n";
+}
+
+}  // namespace app::bench

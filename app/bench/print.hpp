@@ -1,0 +1,26 @@
+#pragma once
+#include <ostream>
+#include <string>
+
+#include "app/bench/row.hpp"
+
+namespace app::bench {
+
+/// Where the figures come from, for whoever compares them.
+struct Setting {
+    std::string machine, build;
+};
+
+/// One line a row, for people.
+void print_table(std::ostream& out, const Suite& suite, const Setting& setting);
+
+/// One JSON object, for programs. What is no number, or not given, is null.
+void print_json(std::ostream& out, const Suite& suite, const Setting& setting);
+
+/// Ids of the rows that miss their bounds, "a, b"; empty when none does.
+std::string missed(const Suite& suite);
+
+/// Version, compiler and how it was told to build.
+std::string build_name();
+
+}  // namespace app::bench

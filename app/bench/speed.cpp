@@ -1,0 +1,16 @@
+#include "app/bench/speed.hpp"
+
+#include "app/bench/core.hpp"
+
+namespace app::bench {
+
+Suite speed_suite(bool quick, const Progress& progress) {
+    const OneCore pinned;
+    Suite suite{"speed", {}};
+    add_pulls(suite, quick, progress);
+    add_growth(suite, quick, progress);
+    add_trade_off(suite, quick, progress);
+    return suite;
+}
+
+}  // namespace app::bench

@@ -1,0 +1,79 @@
+#include <algorithm>
+
+#include "app/bench/plot.hpp"
+#include "app/bench/shape.hpp"
+#include "app/bench/speed.hpp"
+#include "app/bench/stopwatch.hpp"
+#include "app/bench/thread_rope.hpp"
+
+namespace app::bench {
+
+namespace {
+
+constexpr double length = 1, diameter = 5e-3, speed = 0.1;  // [m], [m], [m/s]
+constexpr double links_long[] = {0.5, 1, 2};                // [diameters]
+constexpr double ticks_ms[] = {0.25, 1, 4};
+
+std::string digits(double value) {
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    text.erase(std::remove(text.begin(), text.end(), '.'), text.end());
+    return text;
+}
+
+// "ftl-link05-tick025": a link half a diameter long, a tick of 0.25 ms.
+std::string id_of(double link, double tick_ms) { return "ftl-link" + digits(link) + "-tick" + digits(tick_ms); }
+
+std::string words_of(double link, double tick_ms) {
+    return "links of " + std::to_string(link).substr(0, 3) + " D, tick of " + std::to_string(tick_ms).substr(0, 4) + " ms: ";
+}
+
+PullFigures pull_with(double link, double tick_ms) {
+    const PullDef def{.links = static_cast<int>(length / (link * diameter) + 0.5), .speed = speed, .tick = tick_ms / 1000,
+                      .diameter = diameter, .length = length};
+    const auto start = overhand(def.links, def.length);
+    ThreadRope rope(def, start);
+    return pull(rope, def, start);
+}
+
+}  // namespace
+
+void add_trade_off(Suite& suite, bool quick, const Progress& progress) {
+    for (const double link : links_long)
+        for (const double tick_ms : ticks_ms) {
+            if (quick && tick_ms < 1) continue;  // small ticks take longest
+            progress("speed against error, " + id_of(link, tick_ms));
+            const Stopwatch watch;
+            const PullFigures found = pull_with(link, tick_ms);
+            const double seconds = watch.seconds();
+            const auto add = [&](const std::string& id, const std::string& what, double value, const std::string& unit) {
+                suite.rows.push_back({.id = id_of(link, tick_ms) + "-" + id, .what = words_of(link, tick_ms) + what, .value = value, .unit = unit,
+                                      .bound = {}, .must = Must::be_at_most, .error = {}, .seconds = seconds});
+            };
+            add("cost", "cost of a simulated second", found.tick_mean / tick_ms, "ms");  // us in a ms is ms in a second
+            add("stretch", "longest link", 100 * std::max(found.stretch_pull, found.stretch_over), "%");
+            add("gap", "smallest gap", std::min(found.gap_pull, found.gap_over), "D");
+            add("kappa", "taken up by the tight knot", found.kappa_least, "D");
+        }
+}
+
+std::string trade_off_picture(const Suite& suite) {
+    const auto value = [&](const std::string& id) {
+        const auto row = std::find_if(suite.rows.begin(), suite.rows.end(), [&](const Row& r) { return r.id == id; });
+        return row == suite.rows.end() ? std::optional<double>() : row->value;
+    };
+    const auto chart = [&](const std::string& figure, const std::string& label) {
+        Chart made{"cost of a simulated second [ms]", label, {}};
+        for (const double link : links_long) {
+            Series series{"links of " + std::to_string(link).substr(0, 3) + " D", {}};
+            for (const double tick_ms : ticks_ms)
+                if (const auto cost = value(id_of(link, tick_ms) + "-cost"))
+                    series.points.push_back({*cost, value(id_of(link, tick_ms) + "-" + figure).value_or(0), std::to_string(tick_ms).substr(0, 4) + " ms"});
+            made.series.push_back(series);
+        }
+        return made;
+    };
+    return svg({chart("stretch", "longest link [%]"), chart("gap", "smallest gap [D]"), chart("kappa", "tight overhand takes up [D]")});
+}
+
+}  // namespace app::bench

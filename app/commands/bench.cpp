@@ -1,0 +1,52 @@
+#include <iostream>
+
+#include "app/bench/print.hpp"
+#include "app/bench/speed.hpp"
+#include "app/commands/commands.hpp"
+#include "app/fault.hpp"
+#include "app/files.hpp"
+#include "app/machine.hpp"
+
+namespace app {
+
+namespace {
+
+struct Known {
+    const char* name;
+    bench::Suite (*measure)(bool quick, const bench::Progress& progress);
+};
+
+constexpr Known suites[] = {
+    {"speed", bench::speed_suite},
+};
+
+const Known& suite_of(const BenchOptions& options) {
+    std::string names;
+    for (const Known& known : suites) {
+        if (options.suite == known.name) return known;
+        names += (names.empty() ? "" : " or ") + std::string(known.name);
+    }
+    throw InputFault("carrel bench: error: SUITE: expected " + names + ", found " + options.suite);
+}
+
+void check_plot(const BenchOptions& options) {
+    if (options.plot.empty()) return;
+    if (options.suite != "speed") throw InputFault(options.plot + ": error: --plot: only the suite speed draws one");
+    expect_ending("--plot", options.plot, ".svg");
+    expect_writable("--plot", options.plot);
+}
+
+}  // namespace
+
+int bench_command(const BenchOptions& options) {
+    const Known& known = suite_of(options);
+    check_plot(options);
+    const bench::Suite suite = known.measure(options.quick, [](const std::string& what) { std::cerr << what << '\n'; });
+    (options.json ? bench::print_json : bench::print_table)(std::cout, suite, {machine_name(), bench::build_name()});
+    if (!options.plot.empty()) write_file(options.plot, bench::trade_off_picture(suite));
+    const std::string missed = bench::missed(suite);
+    if (!missed.empty()) throw CheckFailed("bench " + suite.name + ": these figures miss their bounds: " + missed);
+    return 0;
+}
+
+}  // namespace app
