@@ -241,6 +241,8 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {notes, {"render", still::drill, "--out", notes}},
              {steps, {"motion", steps, "--out", steps}},
              {curve, {"rope", curve, "--motion", pull, "--out", curve}},
+             {notes, {"bench", "speed", "--quick", "--plot", notes}},
+             {"/nowhere/x.svg", {"bench", "speed", "--quick", "--plot", "/nowhere/x.svg"}},
              {drill, {"run", drill, "--input", motion, "--out", folder.path("")}},
              {recording, {"replay", recording, "--out", other.path("")}}}) {
         SCOPED_TRACE(testing::PrintToString(call));

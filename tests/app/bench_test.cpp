@@ -1,0 +1,136 @@
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "app/bench/gauge.hpp"
+#include "app/bench/print.hpp"
+#include "app/bench/shape.hpp"
+#include "sim/geometry/closest_points.hpp"
+#include "sim/knot/namer.hpp"
+#include "tests/program.hpp"
+
+namespace {
+
+using app::bench::Gauge;
+using app::bench::Must;
+using app::bench::Row;
+using app::bench::Suite;
+using nlohmann::json;
+using sim::geometry::Vec3;
+
+Row row(const std::string& id, double value, std::optional<double> bound = {}, Must must = Must::be_at_most) {
+    return {.id = id, .what = "a figure", .value = value, .unit = "us", .bound = bound, .must = must, .error = {}, .seconds = 0.5};
+}
+
+json printed(const Suite& suite) {
+    std::ostringstream out;
+    app::bench::print_json(out, suite, {"a machine", "a build"});
+    return json::parse(out.str());
+}
+
+void expect_the_contracts_keys(const json& answer) {
+    for (const char* key : {"suite", "machine", "build"}) EXPECT_TRUE(answer.at(key).is_string()) << key;
+    std::set<std::string> ids;
+    for (const json& row : answer.at("rows")) {
+        SCOPED_TRACE(row.dump());
+        EXPECT_EQ(row.size(), 8u);
+        for (const char* key : {"id", "what", "unit"}) EXPECT_TRUE(row.at(key).is_string()) << key;
+        for (const char* key : {"value", "bound", "error"}) EXPECT_TRUE(row.at(key).is_number() || row.at(key).is_null()) << key;
+        EXPECT_TRUE(row.at("pass").is_boolean());
+        EXPECT_TRUE(row.at("seconds").is_number());
+        EXPECT_TRUE(ids.insert(row.at("id")).second) << "twice";
+    }
+}
+
+// A figure that is no number must neither pass nor break the file for whoever reads it.
+TEST(Bench, RowsArePrintedAsTheContractSays) {
+    Suite suite{"speed", {row("told", 1), row("bound", 2, 3), row("nothing", NAN, 3), row("spread", 4)}};
+    suite.rows[3].error = 0.25;
+    const json answer = printed(suite);
+    expect_the_contracts_keys(answer);
+    EXPECT_EQ(answer["rows"][0]["bound"], nullptr);
+    EXPECT_EQ(answer["rows"][0]["error"], nullptr);
+    EXPECT_EQ(answer["rows"][1]["bound"], 3);
+    EXPECT_EQ(answer["rows"][2]["value"], nullptr);
+    EXPECT_EQ(answer["rows"][2]["pass"], false);
+    EXPECT_EQ(answer["rows"][3]["error"], 0.25);
+}
+
+TEST(Bench, WhatMissesItsBoundIsNamed) {
+    const Suite good{"speed", {row("a", 1), row("b", 2, 2), row("c", 2, 2, Must::be_at_least)}};
+    EXPECT_EQ(app::bench::missed(good), "");
+    const Suite bad{"speed", {row("a", 2.1, 2), row("b", 1), row("c", 1.9, 2, Must::be_at_least), row("d", NAN, 2)}};
+    EXPECT_EQ(app::bench::missed(bad), "a, c, d");
+    std::ostringstream table;
+    app::bench::print_table(table, bad, {"a machine", "a build"});
+    EXPECT_NE(table.str().find("<= 2   MISSED"), std::string::npos) << table.str();
+    EXPECT_NE(table.str().find(">= 2   MISSED"), std::string::npos) << table.str();
+}
+
+// Links that differ, or no knot, would measure another pull than peers are known by.
+TEST(Bench, TheOverhandIsATrefoilOfEqualLinks) {
+    for (const int links : {100, 201, 1000}) {
+        SCOPED_TRACE(links);
+        const double link = 1.0 / links;
+        const std::vector<Vec3> nodes = app::bench::overhand(links, 1);
+        ASSERT_EQ(nodes.size(), static_cast<std::size_t>(links) + 1);
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            ASSERT_NEAR((nodes[i] - nodes[i - 1]).norm(), link, 1e-12);  // rounding at 1 m
+        const Gauge gauge(link, link);
+        EXPECT_GT(gauge.gap(nodes), 1.5) << "not loose";  // the nearest that count are two links apart along the rope
+        EXPECT_NEAR(gauge.kappa(nodes), (1 - (nodes.back() - nodes.front()).norm()) / link, 1e-6);
+        const std::string knot = sim::knot::name_knot(nodes).knot;
+        EXPECT_TRUE(knot == "3_1" || knot == "m3_1") << knot;
+    }
+}
+
+// The gauge skips what its own bound says is far off: every pair, one by one, must not know better.
+TEST(Bench, TheSmallestGapIsThatOfEveryPair) {
+    constexpr int links = 200;
+    std::mt19937 random(1);
+    std::normal_distribution<double> shake;
+    for (const double share : {0.0, 0.2, 0.8}) {  // of a link
+        SCOPED_TRACE(share);
+        std::vector<Vec3> nodes = app::bench::coil(links, 1, 5, 1.05);
+        for (Vec3& p : nodes) p += share * Vec3(shake(random), shake(random), shake(random));
+        double least = 3;
+        constexpr std::size_t neighbours = 3;  // ceil(pi / 2) + 1, as thick as long
+        for (std::size_t i = 0; i < links; ++i)
+            for (std::size_t j = i + neighbours; j < links; ++j)
+                least = std::min(least, std::sqrt(sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]).distance_squared));
+        EXPECT_EQ(Gauge(1, 1).gap(nodes), least);
+    }
+}
+
+TEST(Bench, WhatIsNoPlaceHasNoFigures) {
+    std::vector<Vec3> nodes = app::bench::overhand(100, 1);
+    nodes[50].x() = NAN;
+    const Gauge gauge(0.01, 0.01);
+    EXPECT_TRUE(std::isnan(gauge.stretch(nodes)));
+    EXPECT_TRUE(std::isnan(gauge.gap(nodes)));
+}
+
+TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
+    for (const std::string suite : {"nonsense", "accuracy", ""})
+        program::expect_one_line_naming("SUITE", program::run({"bench", suite}));
+}
+
+// One whole run through the real program, peers that were built included. Times are whatever they are here.
+TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
+    const program::Folder folder;
+    const auto ending = program::run({"bench", "speed", "--quick", "--json", "--plot", folder.path("plot.svg")}, std::chrono::seconds(600));
+    ASSERT_TRUE(ending.exit == 0 || ending.exit == 3) << ending.said;
+    const json answer = json::parse(ending.out);
+    EXPECT_EQ(answer.at("suite"), "speed");
+    expect_the_contracts_keys(answer);
+    std::string missed;
+    for (const json& row : answer["rows"])
+        if (!row["pass"].get<bool>()) missed += (missed.empty() ? "" : ", ") + row["id"].get<std::string>();
+    EXPECT_EQ(ending.exit, missed.empty() ? 0 : 3);
+    EXPECT_TRUE(missed.empty() || ending.said.ends_with(": " + missed + "\n")) << ending.said;
+    for (const std::string id : {"pull-n200-tick-p50", "pull-n200-fast-lag", "bullet-pull-n200-tick-p50", "growth-coiled-exponent", "ftl-link1-tick1-cost"})
+        EXPECT_NE(ending.out.find('"' + id + '"'), std::string::npos) << id;
+    EXPECT_TRUE(program::read(folder.path("plot.svg")).starts_with("<svg "));
+}
+
+}  // namespace
