@@ -22,7 +22,7 @@ class Gauge {
     /// cannot be told from a touch there.
     double gap(std::span<const Vec3> nodes) const;
 
-    /// Rope length less the distance of the ends, over the diameter: what a knot takes up. An ideal tight overhand takes 10.1.
+    /// Rope length less the distance of the ends, over the diameter: what a knot takes up. An ideal overhand takes 10.1.
     double kappa(std::span<const Vec3> nodes) const;
 
   private:

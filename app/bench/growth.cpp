@@ -68,13 +68,14 @@ void add_growth(Suite& suite, bool quick, const Progress& progress) {
             const Stopwatch watch;
             costs.push_back(cost_of(how, static_cast<int>(links)));
             const std::string n = std::to_string(static_cast<int>(links));
-            suite.rows.push_back({.id = "growth-" + how.id + "-n" + n, .what = n + " links, " + how.words + ": median tick",
-                                  .value = costs.back(), .unit = "us", .bound = {}, .must = Must::be_at_most, .error = {}, .seconds = watch.seconds()});
+            const std::string words = n + " links, " + how.words + ": median tick";
+            suite.rows.push_back(told("growth-" + how.id + "-n" + n, words, costs.back(), "us", watch.seconds()));
         }
         const Fit found = fit(sizes, costs);
-        suite.rows.push_back({.id = "growth-" + how.id + "-exponent", .what = how.words + ": cost grows as links to the power of",
-                              .value = found.exponent, .unit = "power", .bound = 1.2, .must = Must::be_at_most, .error = found.error,
-                              .seconds = all.seconds()});
+        const std::string words = how.words + ": cost grows as links to the power of";
+        Row row = told("growth-" + how.id + "-exponent", words, found.exponent, "power", all.seconds());
+        row.bound = 1.2, row.error = found.error;
+        suite.rows.push_back(row);
     }
 }
 

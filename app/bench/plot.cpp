@@ -9,7 +9,7 @@ namespace app::bench {
 namespace {
 
 // Pixels: a chart's plot, and the room around it for figures and titles.
-constexpr double width = 260, height = 220, left = 70, top = 46, bottom = 50, gap = 10;
+constexpr double width = 260, height = 220, left = 85, top = 46, bottom = 50, gap = 15;
 constexpr const char* colours[] = {"#1b6ca8", "#c2571a", "#3a7d44", "#7a4fa3"};
 
 std::string figure(double value) {
@@ -29,7 +29,8 @@ std::string text(double x, double y, const std::string& anchor, const std::strin
 }
 
 std::string line(double x1, double y1, double x2, double y2) {
-    return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) + "\" stroke=\"#999\"/>\n";
+    return "<line x1=\"" + px(x1) + "\" y1=\"" + px(y1) + "\" x2=\"" + px(x2) + "\" y2=\"" + px(y2) +
+           "\" stroke=\"#999\"/>\n";
 }
 
 struct Axis {
@@ -91,8 +92,8 @@ class Drawing {
         for (double value = y_axis_.low; value < y_axis_.high + 0.5 * step; value += step)
             out_ += line(x0_ - 5, y(value), x0_, y(value)) + text(x0_ - 8, y(value) + 4, "end", figure(value));
         out_ += text(x0_ + width / 2, under + 38, "middle", chart_.x_title);
-        const std::string centre = px(x0_ - 50) + " " + px(top + height / 2);
-        out_ += text(x0_ - 50, top + height / 2, "middle", chart_.y_title, " transform=\"rotate(-90 " + centre + ")\"");
+        const std::string centre = px(x0_ - 62) + " " + px(top + height / 2);
+        out_ += text(x0_ - 62, top + height / 2, "middle", chart_.y_title, " transform=\"rotate(-90 " + centre + ")\"");
     }
 
     void draw(const Series& series, std::size_t number) {
@@ -102,7 +103,10 @@ class Drawing {
             if (!is_drawn(p)) continue;
             path += px(x(p.x)) + "," + px(y(p.y)) + " ";
             out_ += "<circle cx=\"" + px(x(p.x)) + "\" cy=\"" + px(y(p.y)) + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
-            out_ += text(x(p.x) + 5, y(p.y) - 5, "start", p.label, " font-size=\"9\" fill=\"" + colour + "\"");
+            // Above, below, higher above: where points of several series meet their words do not.
+            constexpr double beside[] = {-6, 14, -16, 24};
+            out_ += text(x(p.x), y(p.y) + beside[number % std::size(beside)], "middle", p.label,
+                         " font-size=\"9\" fill=\"" + colour + "\"");
         }
         out_ += "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\"/>\n";
         const double row = top - 34 + 13 * static_cast<double>(number);
@@ -119,8 +123,10 @@ class Drawing {
 
 std::string svg(const std::vector<Chart>& charts) {
     const double pitch = left + width + gap;
-    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(pitch * static_cast<double>(charts.size()) + gap) + "\" height=\"" +
-                      px(top + height + bottom) + "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#333\">\n" +
+    const std::string size = "width=\"" + px(pitch * static_cast<double>(charts.size()) + gap) + "\" height=\"" +
+                             px(top + height + bottom) + "\"";
+    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size +
+                      " font-family=\"sans-serif\" font-size=\"12\" fill=\"#333\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left + pitch * static_cast<double>(i)).drawn();
     return out + "</svg>\n";

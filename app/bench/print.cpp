@@ -25,8 +25,8 @@ std::string bound_of(const Row& row) {
 
 Line line_of(const Row& row) {
     const std::string verdict = !row.bound ? "" : row.pass() ? "pass" : "MISSED";
-    return {row.id, row.what, figure(row.value) + " " + row.unit, bound_of(row), verdict, row.error ? "+-" + figure(*row.error) : "",
-            figure(row.seconds)};
+    const std::string error = row.error ? "+-" + figure(*row.error) : "";
+    return {row.id, row.what, figure(row.value) + " " + row.unit, bound_of(row), verdict, error, figure(row.seconds)};
 }
 
 void print(std::ostream& out, const Line& line, const std::array<std::size_t, columns>& widths) {

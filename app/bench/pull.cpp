@@ -21,7 +21,12 @@ enum class Phase { pull, rest, over };
 class Run {
   public:
     Run(Rope& rope, const PullDef& def, const std::vector<Vec3>& start)
-        : rope_(rope), def_(def), gauge_(def.link(), def.thickness()), nodes_(start), left_(start.front()), right_(start.back()) {}
+        : rope_(rope),
+          def_(def),
+          gauge_(def.link(), def.thickness()),
+          nodes_(start),
+          left_(start.front()),
+          right_(start.back()) {}
 
     PullFigures figures() {
         const std::string knot = sim::knot::name_knot(nodes_).knot;
@@ -56,8 +61,8 @@ class Run {
     void measure(Phase phase) {
         PullFigures& m = measured_;
         // A rope that once was no number stays known as such.
-        const auto raise = [](double& most, double value) { most = std::isnan(value) ? value : most < value ? value : most; };
-        const auto lower = [](double& least, double value) { least = std::isnan(value) ? value : least > value ? value : least; };
+        const auto raise = [](double& most, double value) { most = value > most || std::isnan(value) ? value : most; };
+        const auto lower = [](double& least, double value) { least = value < least || std::isnan(value) ? value : least; };
         const double stretch = gauge_.stretch(nodes_), kappa = gauge_.kappa(nodes_);
         if (phase == Phase::pull) raise(m.stretch_pull, stretch);
         if (phase == Phase::rest) m.stretch_rest = stretch, m.kappa_rest = kappa;  // the last one stays

@@ -7,7 +7,7 @@
 namespace app::bench {
 
 /// How fast the thread is and how right at that speed, against peers in the same run; all on one core. `quick`: once
-/// instead of three times, without the long threads.
+/// instead of several times, without the long threads.
 Suite speed_suite(bool quick, const Progress& progress);
 
 /// The parts of it. The overhand pull, by us and by peers (pulls.cpp).
@@ -16,6 +16,14 @@ void add_pulls(Suite& suite, bool quick, const Progress& progress);
 void add_growth(Suite& suite, bool quick, const Progress& progress);
 /// The overhand pull over link length and tick (trade_off.cpp).
 void add_trade_off(Suite& suite, bool quick, const Progress& progress);
+/// A figure without a bound.
+inline Row told(std::string id, std::string what, double value, std::string unit, double seconds) {
+    Row row;
+    row.id = std::move(id), row.what = std::move(what), row.unit = std::move(unit);
+    row.value = value, row.seconds = seconds;
+    return row;
+}
+
 /// What add_trade_off found, drawn: error over cost (SVG).
 std::string trade_off_picture(const Suite& suite);
 

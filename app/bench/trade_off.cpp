@@ -33,8 +33,8 @@ std::string words_of(double link, double tick_ms) {
 }
 
 PullFigures pull_with(double link, double tick_ms) {
-    const PullDef def{.links = static_cast<int>(length / (link * diameter) + 0.5), .speed = speed, .tick = tick_ms / 1000,
-                      .diameter = diameter, .length = length};
+    const int links = static_cast<int>(length / (link * diameter) + 0.5);
+    const PullDef def{.links = links, .speed = speed, .tick = tick_ms / 1000, .diameter = diameter, .length = length};
     const auto start = overhand(def.links, def.length);
     ThreadRope rope(def, start);
     return pull(rope, def, start);
@@ -46,13 +46,13 @@ void add_trade_off(Suite& suite, bool quick, const Progress& progress) {
     for (const double link : links_long)
         for (const double tick_ms : ticks_ms) {
             if (quick && (tick_ms < 1 || link < 1)) continue;  // these take longest
-            progress("speed against error, links of " + digits(link) + " D, tick of " + digits(tick_ms) + " ms");
+            progress("speed against error, " + id_of(link, tick_ms));
             const Stopwatch watch;
             const PullFigures found = pull_with(link, tick_ms);
             const double seconds = watch.seconds();
             const auto add = [&](const std::string& id, const std::string& what, double value, const std::string& unit) {
-                suite.rows.push_back({.id = id_of(link, tick_ms) + "-" + id, .what = words_of(link, tick_ms) + what, .value = value, .unit = unit,
-                                      .bound = {}, .must = Must::be_at_most, .error = {}, .seconds = seconds});
+                const std::string whole_id = id_of(link, tick_ms) + "-" + id, words = words_of(link, tick_ms) + what;
+                suite.rows.push_back(told(whole_id, words, value, unit, seconds));
             };
             add("cost", "cost of a simulated second", found.tick_mean / tick_ms, "ms");  // us in a ms is ms in a second
             add("stretch", "longest link", 100 * std::max(found.stretch_pull, found.stretch_over), "%");
@@ -70,14 +70,16 @@ std::string trade_off_picture(const Suite& suite) {
         Chart made{"cost of a simulated second [ms]", label, {}};
         for (const double link : links_long) {
             Series series{"links of " + digits(link) + " D", {}};
-            for (const double tick_ms : ticks_ms)
-                if (const auto cost = value(id_of(link, tick_ms) + "-cost"))
-                    series.points.push_back({*cost, value(id_of(link, tick_ms) + "-" + figure).value_or(0), digits(tick_ms) + " ms"});
+            for (const double tick_ms : ticks_ms) {
+                const auto cost = value(id_of(link, tick_ms) + "-cost"), error = value(id_of(link, tick_ms) + "-" + figure);
+                if (cost && error) series.points.push_back({*cost, *error, digits(tick_ms) + " ms"});
+            }
             made.series.push_back(series);
         }
         return made;
     };
-    return svg({chart("stretch", "longest link [%]"), chart("gap", "smallest gap [D]"), chart("kappa", "tight overhand takes up [D]")});
+    return svg({chart("stretch", "longest link [%]"), chart("gap", "smallest gap [D]"),
+                chart("kappa", "tight overhand takes up [D]")});
 }
 
 }  // namespace app::bench

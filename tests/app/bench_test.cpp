@@ -5,6 +5,7 @@
 #include "app/bench/gauge.hpp"
 #include "app/bench/print.hpp"
 #include "app/bench/shape.hpp"
+#include "app/bench/speed.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/knot/namer.hpp"
 #include "tests/program.hpp"
@@ -19,7 +20,9 @@ using nlohmann::json;
 using sim::geometry::Vec3;
 
 Row row(const std::string& id, double value, std::optional<double> bound = {}, Must must = Must::be_at_most) {
-    return {.id = id, .what = "a figure", .value = value, .unit = "us", .bound = bound, .must = must, .error = {}, .seconds = 0.5};
+    Row made = app::bench::told(id, "a figure", value, "us", 0.5);
+    made.bound = bound, made.must = must;
+    return made;
 }
 
 json printed(const Suite& suite) {
@@ -35,7 +38,8 @@ void expect_the_contracts_keys(const json& answer) {
         SCOPED_TRACE(row.dump());
         EXPECT_EQ(row.size(), 8u);
         for (const char* key : {"id", "what", "unit"}) EXPECT_TRUE(row.at(key).is_string()) << key;
-        for (const char* key : {"value", "bound", "error"}) EXPECT_TRUE(row.at(key).is_number() || row.at(key).is_null()) << key;
+        for (const char* key : {"value", "bound", "error"})
+            EXPECT_TRUE(row.at(key).is_number() || row.at(key).is_null()) << key;
         EXPECT_TRUE(row.at("pass").is_boolean());
         EXPECT_TRUE(row.at("seconds").is_number());
         EXPECT_TRUE(ids.insert(row.at("id")).second) << "twice";
@@ -96,8 +100,10 @@ TEST(Bench, TheSmallestGapIsThatOfEveryPair) {
         double least = 3;
         constexpr std::size_t neighbours = 3;  // ceil(pi / 2) + 1, as thick as long
         for (std::size_t i = 0; i < links; ++i)
-            for (std::size_t j = i + neighbours; j < links; ++j)
-                least = std::min(least, std::sqrt(sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]).distance_squared));
+            for (std::size_t j = i + neighbours; j < links; ++j) {
+                const auto pair = sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]);
+                least = std::min(least, std::sqrt(pair.distance_squared));
+            }
         EXPECT_EQ(Gauge(1, 1).gap(nodes), least);
     }
 }
@@ -118,7 +124,8 @@ TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
 // One whole run through the real program, peers that were built included. Times are whatever they are here.
 TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
     const program::Folder folder;
-    const auto ending = program::run({"bench", "speed", "--quick", "--json", "--plot", folder.path("plot.svg")}, std::chrono::seconds(600));
+    const std::string plot = folder.path("plot.svg");
+    const auto ending = program::run({"bench", "speed", "--quick", "--json", "--plot", plot}, std::chrono::seconds(600));
     ASSERT_TRUE(ending.exit == 0 || ending.exit == 3) << ending.said;
     const json answer = json::parse(ending.out);
     EXPECT_EQ(answer.at("suite"), "speed");
@@ -128,9 +135,10 @@ TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
         if (!row["pass"].get<bool>()) missed += (missed.empty() ? "" : ", ") + row["id"].get<std::string>();
     EXPECT_EQ(ending.exit, missed.empty() ? 0 : 3);
     EXPECT_TRUE(missed.empty() || ending.said.ends_with(": " + missed + "\n")) << ending.said;
-    for (const std::string id : {"pull-n200-tick-p50", "pull-n200-fast-lag", "bullet-pull-n200-tick-p50", "growth-coiled-exponent", "ftl-link1-tick1-cost"})
+    for (const std::string id : {"pull-n200-tick-p50", "pull-n200-fast-lag", "bullet-pull-n200-tick-p50",
+                                 "growth-coiled-exponent", "ftl-link1-tick1-cost"})
         EXPECT_NE(ending.out.find('"' + id + '"'), std::string::npos) << id;
-    EXPECT_TRUE(program::read(folder.path("plot.svg")).starts_with("<svg "));
+    EXPECT_TRUE(program::read(plot).starts_with("<svg "));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class OdeRope : public app::bench::Rope {
         dBodyID body = dBodyCreate(world_);
         const Vec3 middle = 0.5 * scale * (from + to);
         dBodySetPosition(body, middle.x(), middle.y(), middle.z());
-        const Eigen::Quaterniond turned = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), to - from);  // capsules lie along z
+        const auto turned = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), to - from);  // capsules lie along z
         const dQuaternion q = {turned.w(), turned.x(), turned.y(), turned.z()};
         dBodySetQuaternion(body, q);
         dMass mass;
