@@ -52,6 +52,7 @@ double Gauge::kappa(std::span<const Vec3> nodes) const {
 }
 
 double percentile(std::vector<double> values, double share) {
+    if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) return NAN;
     if (values.empty()) return NAN;
     std::sort(values.begin(), values.end());
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];

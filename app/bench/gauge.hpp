@@ -29,7 +29,7 @@ class Gauge {
     double link_, diameter_;
 };
 
-/// Entry of `values`, sorted here, below which this share of them lies; NaN when there are none.
+/// Entry of `values`, sorted here, below which this share of them lies; NaN when there are none, or one of them is.
 double percentile(std::vector<double> values, double share);
 
 }  // namespace app::bench
