@@ -2,6 +2,7 @@
 
 #include "app/bench/print.hpp"
 #include "app/bench/speed.hpp"
+#include "app/bench/stability.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
@@ -16,8 +17,13 @@ struct Known {
     bench::Suite (*measure)(bool quick, const bench::Progress& progress);
 };
 
+bench::Suite stability(bool quick, const bench::Progress& progress) {
+    return bench::stability_suite(CARREL_HARD_CASES, quick, progress);
+}
+
 constexpr Known suites[] = {
     {"speed", bench::speed_suite},
+    {"stability", stability},
 };
 
 const Known& suite_of(const BenchOptions& options) {

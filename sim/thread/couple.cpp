@@ -9,6 +9,9 @@ using Mat3 = Eigen::Matrix3d;
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// Where the three axes of a row begin in all that is measured per axis.
+static Eigen::Index column(std::size_t row) { return static_cast<Eigen::Index>(3 * row); }
+
 // What a push at a row does to the lengths of the links around it: per link a vector, its scalar product with the push.
 static void add_effect(const State& state, PushedRow& row, int node, double weight) {
     const auto add = [&](int link, double sign) {
@@ -71,66 +74,77 @@ static void invert_lengths(State& state) {
     }
 }
 
-// How the multipliers of those lengths answer a unit push at a row along each axis.
-static void answer(State& state, const PushedRow& row, std::vector<Vec3>& multiplier) {
+// How the multipliers of those lengths answer a unit push at each row along each axis: a column an axis.
+static void answer(State& state) {
     const auto& inverse = state.inverse;
-    std::fill(multiplier.begin(), multiplier.end(), Vec3::Zero());
-    for (int i = 0; i < row.links; ++i) multiplier[at(row.place[at(i)])] = row.effect[at(i)];
-    Vec3 from_left = Vec3::Zero(), from_right = Vec3::Zero();
-    std::vector<Vec3>& left = state.answer_from_left;
-    for (std::size_t a = 0; a < multiplier.size(); ++a) {
-        left[a] = from_left;
-        from_left = inverse[a].share * (from_left + multiplier[a]);
+    const auto places = static_cast<Eigen::Index>(inverse.size()), columns = state.pushes.size();
+    auto effects = state.effects.resized(places, columns), answers = state.answers.resized(places, columns);
+    effects.setZero();
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
+        const PushedRow& row = state.pushed_rows[c];
+        for (int i = 0; i < row.links; ++i) effects.block<1, 3>(row.place[at(i)], column(c)) = row.effect[at(i)].transpose();
     }
-    for (std::size_t a = multiplier.size(); a-- > 0;) {
-        from_right = inverse[a].diagonal * multiplier[a] + inverse[a].share * from_right;
-        multiplier[a] = from_right + inverse[a].diagonal * left[a];
+    for (Eigen::Index a = places; a-- > 0;) {
+        answers.row(a) = inverse[static_cast<std::size_t>(a)].diagonal * effects.row(a);
+        if (a + 1 < places) answers.row(a) += inverse[static_cast<std::size_t>(a)].share * answers.row(a + 1);
+    }
+    auto& from_left = state.answer_from_left;
+    from_left.setZero(columns);
+    for (Eigen::Index a = 0; a < places; ++a) {
+        answers.row(a) += inverse[static_cast<std::size_t>(a)].diagonal * from_left;
+        from_left = inverse[static_cast<std::size_t>(a)].share * (from_left + effects.row(a));
     }
 }
 
-// How far the points of `row` move apart for a push at `other` if all links keep their lengths.
-static Mat3 response(const State& state, const PushedRow& row, const PushedRow& other, const std::vector<Vec3>& multiplier) {
-    double direct = 0;
-    for (int i = 0; i < row.nodes; ++i)
-        for (int j = 0; j < other.nodes; ++j)
-            if (row.node[at(i)] == other.node[at(j)])
-                direct += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * other.weight[at(j)];
-    Mat3 moved = direct * Mat3::Identity();
-    for (int i = 0; i < row.links; ++i) moved -= row.effect[at(i)] * multiplier[at(row.place[at(i)])].transpose();
-    return moved;
+// What a push at `row` does to the points of every row from it on where they share nodes.
+static void add_direct(State& state, std::size_t d, Eigen::Map<Table::Matrix>& responses) {
+    const std::vector<PushedRow>& rows = state.pushed_rows;
+    std::vector<double>& weight_at = state.weight_at;
+    for (int i = 0; i < rows[d].nodes; ++i)
+        weight_at[at(rows[d].node[at(i)])] += state.inverse_mass[at(rows[d].node[at(i)])] * rows[d].weight[at(i)];
+    for (std::size_t c = d; c < rows.size(); ++c) {
+        double direct = 0;
+        for (int i = 0; i < rows[c].nodes; ++i) direct += weight_at[at(rows[c].node[at(i)])] * rows[c].weight[at(i)];
+        if (direct != 0) responses.block<3, 3>(column(d), column(c)).diagonal().array() += direct;
+    }
+    for (int i = 0; i < rows[d].nodes; ++i) weight_at[at(rows[d].node[at(i)])] = 0;
 }
 
 // The rows that move the thread most; what is left out is met by the passes before and after.
 static void collect(State& state) {
-    constexpr std::size_t most_rows = 40;
     std::vector<PushedRow>& rows = state.pushed_rows;
     rows.clear();
     for (Row& row : state.rows)
         if ((row.normal_push > 0 || row.distance < row.target) && row.mobility > 0) rows.emplace_back(row);
     const auto matters = [](const PushedRow& r) { return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance); };
-    if (rows.size() > most_rows) {
+    if (rows.size() > most_coupled) {
         std::sort(rows.begin(), rows.end(), [&](const PushedRow& a, const PushedRow& b) {
             return matters(a) != matters(b) ? matters(a) > matters(b) : a.row < b.row;
         });
-        rows.erase(rows.begin() + most_rows, rows.end());
+        rows.erase(rows.begin() + most_coupled, rows.end());
     }
     for (PushedRow& row : rows) measure_effects(state, row);
 }
 
-// Symmetric: what a push at one row does to another, it does in return.
+// How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric: what
+// a push at one row does to another, it does in return.
 static void measure_responses(State& state) {
     const std::vector<PushedRow>& rows = state.pushed_rows;
-    const std::size_t n = rows.size();
+    const Eigen::Index columns = column(rows.size());
+    state.pushes.setZero(columns);
     invert_lengths(state);
-    state.responses.resize(n * n);
-    state.answer.resize(state.touched.size());
-    state.answer_from_left.resize(state.touched.size());
-    for (std::size_t d = 0; d < n; ++d) {
-        answer(state, rows[d], state.answer);
-        for (std::size_t c = d; c < n; ++c) {
-            state.responses[d * n + c] = response(state, rows[c], rows[d], state.answer);
-            state.responses[c * n + d] = state.responses[d * n + c].transpose();
-        }
+    answer(state);
+    const auto answers = state.answers.resized(static_cast<Eigen::Index>(state.inverse.size()), columns);
+    auto responses = state.responses.resized(columns, columns);
+    responses.setZero();
+    for (std::size_t d = 0; d < rows.size(); ++d) {
+        const Eigen::Index others = columns - column(d);
+        for (int i = 0; i < rows[d].links; ++i)
+            responses.block<3, Eigen::Dynamic>(column(d), column(d), 3, others).noalias() -=
+                rows[d].effect[at(i)] * answers.row(rows[d].place[at(i)]).tail(others);
+        add_direct(state, d, responses);
+        for (std::size_t c = 0; c < d; ++c)
+            responses.block<3, 3>(column(d), column(c)) = responses.block<3, 3>(column(c), column(d)).transpose();
     }
 }
 
@@ -147,23 +161,21 @@ static Vec3 push_against(const Vec3& slip, const Vec3& normal, const Mat3& own, 
 
 // One row of a sweep; returns its overlap before, 1 where it is small enough.
 static double push(State& state, std::size_t c) {
-    std::vector<PushedRow>& rows = state.pushed_rows;
-    PushedRow& pushed = rows[c];
+    PushedRow& pushed = state.pushed_rows[c];
     Row& row = *pushed.row;
-    const Mat3* responses = &state.responses[c * rows.size()];
-    const Mat3& own = responses[c];
-    const double overlap = over_goal(state, row, pushed.apart.dot(row.normal));
+    const auto responses = state.responses.resized(state.pushes.size(), state.pushes.size());
+    const Vec3 apart = pushed.apart + responses.middleRows<3>(column(c)) * state.pushes;
+    const Mat3 own = responses.block<3, 3>(column(c), column(c));
+    const double overlap = over_goal(state, row, apart.dot(row.normal));
     // However long the strand that must come along: all of it gives way by no less than this.
     const double least = row.mobility / (10.0 * static_cast<double>(state.nodes.size()));
     const double mobility = std::max(least, row.normal.dot(own * row.normal));
-    const Vec3 normal = add_normal_push(row, pushed.apart, mobility) * row.normal;
-    const Vec3 slip = slip_of(row, pushed.apart + own * normal);
+    const Vec3 normal = add_normal_push(row, apart, mobility) * row.normal;
+    const Vec3 slip = slip_of(row, apart + own * normal);
     const Vec3 more = normal + add_tangent_push(row, slip, push_against(slip, row.normal, own, least));
-    pushed.push += more;
+    state.pushes.segment<3>(column(c)) += more;
     pushed.moved = (own * more).norm();
-    if (!more.isZero(0))
-        for (std::size_t e = 0; e < rows.size(); ++e) rows[e].apart += responses[e] * more;
-    return std::max(overlap, row.slip / (strand_goal * 2 * state.def.radius));
+    return std::max(overlap, row.slip / (slip_goal * 2 * state.def.radius));
 }
 
 // A node clipped at its bound would stretch its links, which nothing here would mend: so all go as far as each may.
@@ -186,10 +198,12 @@ static void move_by_pushes(State& state) {
     std::vector<double>& change = state.multiplier;
     move.assign(state.nodes.size(), Vec3::Zero());
     std::fill(change.begin(), change.end(), 0.0);
-    for (const PushedRow& row : state.pushed_rows) {
-        for (int i = 0; i < row.links; ++i) change[at(row.link[at(i)])] += row.effect[at(i)].dot(row.push);
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
+        const PushedRow& row = state.pushed_rows[c];
+        const Vec3 push = state.pushes.segment<3>(column(c));
+        for (int i = 0; i < row.links; ++i) change[at(row.link[at(i)])] += row.effect[at(i)].dot(push);
         for (int i = 0; i < row.nodes; ++i)
-            move[at(row.node[at(i)])] += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * row.push;
+            move[at(row.node[at(i)])] += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * push;
     }
     substitute(state, change);
     for (std::size_t k = 0; k < change.size(); ++k) {
@@ -200,11 +214,12 @@ static void move_by_pushes(State& state) {
     const double share = share_within_bounds(state, move);
     for (std::size_t i = 0; i < move.size(); ++i) state.nodes[i] += share * move[i];
     for (std::size_t k = 0; k < change.size(); ++k) state.pulled[k] -= share * change[k];
-    for (const PushedRow& row : state.pushed_rows) {
-        const Vec3 taken_back = (1 - share) * row.push;
-        const double normal = taken_back.dot(row.row->normal);
-        row.row->normal_push -= normal;
-        row.row->tangent_push -= taken_back - normal * row.row->normal;
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
+        Row& row = *state.pushed_rows[c].row;
+        const Vec3 taken_back = (1 - share) * state.pushes.segment<3>(column(c));
+        const double normal = taken_back.dot(row.normal);
+        row.normal_push -= normal;
+        row.tangent_push -= taken_back - normal * row.normal;
     }
 }
 

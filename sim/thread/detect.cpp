@@ -20,11 +20,14 @@ static void add(State& state, Against against, int link, int other, double thick
     state.contacts.push_back({against, link, other, thickness, std::sqrt(pair.distance_squared), 0, pair.t});
 }
 
+// Links nearer along the thread than half a turn of its tightest bend cannot be told from the bend itself.
 static void detect_self(State& state) {
-    const double reach2 = state.reach * state.reach;
-    state.tree.self_pairs(state.reach, state.skip, [&](int i, int j) {
+    constexpr double pi = 3.14159265358979;
+    const double reach2 = state.reach * state.reach, half_turn = pi * state.def.radius;
+    state.tree.self_pairs(state.reach, 2, [&](int i, int j) {
+        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn) return;
         const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
-        if (pair.distance_squared < reach2) add(state, Against::thread, i, j, 2 * state.def.radius, pair);
+        if (pair.distance_squared < reach2) add(state, Against::thread, i, j, (1 + skin) * 2 * state.def.radius, pair);
     });
 }
 
@@ -78,11 +81,11 @@ static bool scene_changed(State& state) {
 
 // What was beyond reach cannot touch before something has moved by half the rest. Held nodes and tools that are asked to
 // go `way` need that much room besides, for what has not been looked at bounds every node.
-void look_around(State& state, double way) {
+bool look_around(State& state, double way) {
     const double touching = 2 * state.def.radius, reach = 3 * touching;
     const double unseen = reach - 2 * state.moved;
     const bool roomy = unseen > touching && (state.moved == 0 || bound_share * unseen > 2 * way);
-    if (!scene_changed(state) && roomy) return;
+    if (!scene_changed(state) && roomy) return false;
     state.reach = reach;
     state.moved = 0;
     state.contacts.clear();
@@ -90,6 +93,7 @@ void look_around(State& state, double way) {
     detect_self(state);
     detect_capsules(state);
     detect_surface(state);
+    return true;
 }
 
 }  // namespace sim::thread

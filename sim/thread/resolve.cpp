@@ -25,11 +25,9 @@ double over_goal(const State& state, const Row& row, double distance) {
     return std::max(0.0, (row.target - distance) / goal);
 }
 
-// What tools wait for: strands by a twentieth, for there topology is at stake; a centre line half way to a tool's axis or
-// to a wall, which only a thread that is trapped comes to.
-double over_limit(Against against, double thickness, double distance) {
-    const double limit = (against == Against::thread ? 0.05 : 0.5) * thickness;
-    return std::max(0.0, (thickness - distance) / limit);
+double over_limit(const State& state, const Row& row) {
+    const double limit = (row.against == Against::thread ? strand_limit : steel_limit) * 2 * state.def.radius;
+    return std::max(0.0, (row.thickness - row.distance) / limit);
 }
 
 Vec3 apart_of(const State& state, const Row& row) {
@@ -69,7 +67,7 @@ static double resolve(State& state, Row& row) {
     if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
     const Vec3 slip = slip_of(row, apart), normal = add_normal_push(row, apart, row.mobility) * row.normal;
     push_apart(state, row, normal + add_tangent_push(row, slip, -slip / row.mobility));
-    return std::max(over_goal(state, row, distance), row.slip / (strand_goal * 2 * state.def.radius));
+    return std::max(over_goal(state, row, distance), row.slip / (slip_goal * 2 * state.def.radius));
 }
 
 double resolve_contacts(State& state) {
@@ -113,7 +111,7 @@ double aim(State& state) {
             }
             case Against::surface: aim_at_wall(state, row); break;
         }
-        worst = std::max(worst, over_limit(row.against, row.thickness, row.distance));
+        worst = std::max(worst, over_limit(state, row));
     }
     return worst;
 }

@@ -53,8 +53,8 @@ struct PushedRow {
     std::array<Vec3, 8> effect{};       ///< by effect * push,
     std::array<int, 8> place{};         ///< and where they are among all that rows touch.
     int links = 0;
-    Vec3 apart = Vec3::Zero(), push = Vec3::Zero();
-    double moved = 0;
+    Vec3 apart = Vec3::Zero();          ///< Before all pushes.
+    double moved = 0;                   ///< By its last push [m].
 };
 
 /// How far one dares to go, for tools that move together.
@@ -63,6 +63,35 @@ struct Pace {
     int refused_in_a_row = 0;          ///< Substeps undone since the last good one,
     int jams_in_a_row = 0;             ///< those of them at the least trust,
     int waits = 0;                     ///< and ticks until what is jammed is tried again.
+    bool stuck = false;                ///< Meanwhile not even the slack around it can answer.
+    std::vector<Vec3> refused;         ///< What was asked for when last refused: the ways of what is held and of tools [m].
+};
+
+constexpr int most_coupled = 40;        ///< Rows that are solved together with all lengths.
+/// A number per axis of those rows.
+template <int rows, int columns>
+using PerAxis = Eigen::Matrix<double, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor, rows == 1 ? 1 : 3 * most_coupled,
+                              columns == 1 ? 1 : 3 * most_coupled>;
+
+/// A matrix in a room that only grows.
+struct Table {
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    Eigen::Map<Matrix> resized(Eigen::Index rows, Eigen::Index columns) {
+        if (room.size() < static_cast<std::size_t>(rows * columns)) room.resize(static_cast<std::size_t>(rows * columns));
+        return {room.data(), rows, columns};
+    }
+
+    std::vector<double> room;
+};
+
+/// A substep that passes have not brought within tolerance yet. The thread stays as it was before it, tools wait, and the next
+/// passes go on from here: a hard knot takes several ticks, none of them long.
+struct Unfinished {
+    int pace = -1;                     ///< Of State::paces: whose it is; -1: there is none.
+    double share = 0;                  ///< Of the tick's motion.
+    int tries = 0;
+    std::vector<Vec3> nodes;           ///< [m]
 };
 
 struct State {
@@ -73,7 +102,7 @@ struct State {
     ThreadDef def;
     std::vector<Vec3> nodes;
     std::vector<double> rest;          ///< [m]
-    int skip;                          ///< Links closer than this in order are neighbours: bending, not contact.
+    std::vector<double> arc;           ///< Per node: length of thread before it [m].
 
     std::vector<double> least_span;    ///< Per inner node: least distance of its neighbours, by the thread's thickness [m].
 
@@ -99,6 +128,8 @@ struct State {
     std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
     double drift_way = 0;              ///< ... while held nodes or tools went this far [m].
     std::vector<Pace> paces;           ///< Of all groups together, then of each alone.
+    std::vector<Vec3> asked;           ///< Scratch: as Pace::refused.
+    Unfinished unfinished;
     int work = 0;                      ///< Of this tick, in passes over contacts and lengths.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
@@ -109,22 +140,32 @@ struct State {
     std::vector<double> lower, pivot, upper, multiplier;  ///< The last length solve: its factors and its answer.
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
     std::vector<PushedRow> pushed_rows;  ///< Scratch of coupling.
-    std::vector<Eigen::Matrix3d> responses;
+    PerAxis<Eigen::Dynamic, 1> pushes;   ///< Of all those rows.
+    Table responses;                     ///< How far their points move apart for unit pushes.
+    Table effects, answers;              ///< Of unit pushes on lengths, and of the lengths' multipliers.
+    PerAxis<1, Eigen::Dynamic> answer_from_left;
+    std::vector<double> weight_at;       ///< Per node; 0 between uses.
     std::vector<int> touched;            ///< Links that pushed rows touch.
     struct Reach { double diagonal, share; };
     std::vector<Reach> inverse;          ///< Of the lengths' matrix, at those links.
-    std::vector<Vec3> answer, answer_from_left, coupled_move;
+    std::vector<Vec3> coupled_move;
     std::vector<Vec3> carried;         ///< Scratch: how far taut spans went along with their ends.
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
     mutable std::vector<Box> audit_boxes, audit_links;  ///< Scratch of the audit.
     mutable std::vector<int> audit_found;
 };
 
-constexpr int most_work = 54;                  ///< Of a tick, in passes: 0.7 ms with 300 links; what is left then is lag.
+
+constexpr int most_work = 54;                  ///< Of a tick, in passes: what is left then is lag.
 
 // Tolerances, as shares of the thread's own sizes.
 constexpr double stretch_tolerance = 5e-4;     ///< Of a link's rest length: half of what a thread at rest may show.
-constexpr double strand_goal = 0.03;           ///< Of the thread's thickness: overlap of strands that passes stop for.
+/// Strands keep so much farther apart than they are thick: what passes leave undone is air then, not overlap.
+constexpr double skin = 0.045;                 ///< Of the thread's thickness.
+constexpr double strand_goal = 0.03;           ///< Of it too: how far into the skin passes still work ...
+constexpr double strand_limit = 0.05;          ///< ... and tools wait: strands then touch by less than a hundredth.
+constexpr double steel_limit = 0.2;            ///< Of it too: how far into tools and walls; tools wait then.
+constexpr double slip_goal = 0.03;             ///< Of it too: what friction that holds may let slide in a substep.
 constexpr double bound_share = 0.45;           ///< Two neighbours that each use it keep a tenth of their distance.
 
 /// How the thread answers when held nodes move. Least motion first: all nodes together move as little as the lengths
@@ -132,7 +173,7 @@ constexpr double bound_share = 0.45;           ///< Two neighbours that each use
 /// if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
 /// Where strands are jammed in each other and no answer is found for them, what presses stays where it is and the slack
 /// around it answers: a knot pulled tight must not hold up the hands that let go of it.
-enum class Answer { drift, follow_the_leader, keep_what_presses };
+enum class Answer { drift, follow_the_leader, keep_what_presses, go_on };
 struct Substep {
     bool accepted = false;
     double over_bound = 0;
@@ -156,10 +197,10 @@ void follow_leader(State& state);
 double solve_lengths(State& state);
 double worst_stretch(const State& state, const std::vector<Vec3>& nodes);
 
-/// Every pair within `reach` of each other, where it is not known already (detect.cpp).
-void look_around(State& state, double way);
+/// Every pair within `reach` of each other, where it is not known already (detect.cpp): whether anything was to be found.
+bool look_around(State& state, double way);
 /// Gaps of all contacts as the nodes stand, the bound of each node from them, and the rows (gaps.cpp).
-void measure_gaps(State& state);
+void measure_gaps(State& state, double way);
 
 /// Rows to the nearest points as everything stands now; returns the worst overlap, 1 where tools must wait (resolve.cpp).
 double aim(State& state);
@@ -168,8 +209,8 @@ double resolve_contacts(State& state);
 /// All rows that push, together with all lengths; returns the worst overlap found before it, 1 where it is small enough
 /// (couple.cpp).
 double couple(State& state);
-/// What passes stop for: strands into each other by a thirtieth of the thread's thickness, thread into steel or a wall by a
-/// tenth of it, both out of sight. Friction that holds may leave a slip of as much as strands may overlap.
+/// What passes stop for: strands into each other's skin by `strand_goal`, thread into steel or a wall by a tenth of its
+/// thickness, which is out of sight.
 double over_goal(const State& state, const Row& row, double distance);
 /// From the other's point to the link's, as the nodes are [m].
 Vec3 apart_of(const State& state, const Row& row);
@@ -183,8 +224,8 @@ double add_normal_push(Row& row, const Vec3& apart, double mobility);
 Vec3 slip_of(const Row& row, const Vec3& apart);
 /// As far as Coulomb's cone allows, the push that is `wanted` against the slip.
 Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted);
-/// Overlap of a pair at this distance, 1 where tools must wait.
-double over_limit(Against against, double thickness, double distance);
+/// Overlap of a row, 1 where tools must wait: strands that touch, for there topology is at stake; a thread a fifth in steel.
+double over_limit(const State& state, const Row& row);
 /// The least distance [m] between the outer ends of two links of length `l` [m] that turn about a thread of `radius` [m].
 double least_span(double l, double radius);
 /// Keeps every bend no tighter than that.

@@ -40,7 +40,7 @@ static void let_go_of_kept(State& state) {
     state.kept.clear();
 }
 
-static double try_answer(State& state, double way, Answer answer) {
+static void begin_answer(State& state, double way, Answer answer) {
     std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
     for (Row& row : state.rows) {
         row.normal_push = 0;
@@ -53,6 +53,15 @@ static double try_answer(State& state, double way, Answer answer) {
     place_held(state);
     carry_taut_spans(state);
     if (answer == Answer::follow_the_leader) follow_leader(state);
+}
+
+static double try_answer(State& state, double way, Answer answer) {
+    if (answer == Answer::go_on) {
+        state.nodes = state.unfinished.nodes;
+        place_held(state);
+    } else {
+        begin_answer(state, way, answer);
+    }
     clip(state);
     return relax(state);
 }
@@ -74,7 +83,7 @@ static double largest_move_over_bound(const State& state) {
 
 Substep attempt(State& state, double way, Answer answer) {
     double was = worst_stretch(state, state.nodes) / stretch_tolerance;
-    for (const Row& row : state.rows) was = std::max(was, over_limit(row.against, row.thickness, row.distance));
+    for (const Row& row : state.rows) was = std::max(was, over_limit(state, row));
     state.before = state.nodes;
     state.capsules_before = state.capsules;
     place_capsules(state);
@@ -83,6 +92,7 @@ Substep attempt(State& state, double way, Answer answer) {
     result.accepted = try_answer(state, way, answer) <= std::max(1.0, was);
     let_go_of_kept(state);
     if (!result.accepted) {
+        state.unfinished.nodes = state.nodes;
         state.nodes = state.before;
         state.capsules = state.capsules_before;
         aim(state);  // rows are as near as they were

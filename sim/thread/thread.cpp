@@ -8,13 +8,16 @@
 
 namespace sim::thread {
 
-// Links nearer than half a turn of the tightest bend cannot be told from the bend itself.
-static int neighbours(double radius, double link) { return static_cast<int>(std::ceil(3.14159265358979 * radius / link)) + 1; }
-
 static std::vector<double> lengths_of(const std::vector<Vec3>& nodes) {
     std::vector<double> lengths;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) lengths.push_back((nodes[i + 1] - nodes[i]).norm());
     return lengths;
+}
+
+static std::vector<double> arc_of(const std::vector<double>& rest) {
+    std::vector<double> arc{0};
+    for (const double length : rest) arc.push_back(arc.back() + length);
+    return arc;
 }
 
 static std::vector<double> spans_of(const std::vector<double>& rest, double radius) {
@@ -27,7 +30,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     : def(thread_def),
       nodes(std::move(start_nodes)),
       rest(lengths_of(nodes)),
-      skip(neighbours(def.radius, *std::min_element(rest.begin(), rest.end()))),
+      arc(arc_of(rest)),
       least_span(spans_of(rest, def.radius)),
       inverse_mass(nodes.size(), 1.0),
       before(nodes),
@@ -40,7 +43,19 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
       multiplier(rest.size()),
       pulled(rest.size(), 0.0),
       carried(nodes.size()),
-      forward(nodes.size()) {}
+      forward(nodes.size()) {
+    unfinished.nodes = nodes;
+    // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
+    contacts.reserve(24 * rest.size());
+    rows.reserve(8 * rest.size());
+    pushed_rows.reserve(rows.capacity());
+    responses.resized(3 * most_coupled, 3 * most_coupled);
+    for (Table* of_links : {&effects, &answers}) of_links->resized(8 * most_coupled, 3 * most_coupled);
+    touched.reserve(8 * most_coupled);
+    inverse.reserve(8 * most_coupled);
+    coupled_move.reserve(nodes.size());
+    weight_at.resize(nodes.size());
+}
 
 TickReport tick(State& state, const TickInput& input);
 
@@ -80,8 +95,22 @@ std::uint64_t Thread::hash() const {
         add(pace.refused_in_a_row);
         add(pace.jams_in_a_row);
         add(pace.waits);
+        add(pace.stuck);
+        for (const Vec3& way : pace.refused)
+            for (int c = 0; c < 3; ++c) add(way[c]);
     }
     add(impl_->state.settled);
+    const Unfinished& unfinished = impl_->state.unfinished;
+    add(unfinished.pace);
+    if (unfinished.pace < 0) return hash;
+    add(unfinished.share);
+    add(unfinished.tries);
+    for (const Vec3& p : unfinished.nodes)
+        for (int c = 0; c < 3; ++c) add(p[c]);
+    for (const Row& row : impl_->state.rows) {
+        add(row.normal_push);
+        for (int c = 0; c < 3; ++c) add(row.tangent_push[c]);
+    }
     return hash;
 }
 

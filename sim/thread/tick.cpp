@@ -27,7 +27,11 @@ std::size_t groups_of(const TickInput& input) {
 void begin(State& state, const TickInput& input) {
     state.input = input;
     state.progress.assign(groups_of(input), 0);
-    if (state.paces.size() != state.progress.size() + 1) state.paces.assign(state.progress.size() + 1, {});
+    if (state.paces.size() != state.progress.size() + 1) {
+        state.paces.assign(state.progress.size() + 1, {});
+        state.unfinished.pace = -1;
+    }
+    for (Pace& pace : state.paces) pace.refused.reserve(input.holds.size() + 2 * input.capsules.size());
     state.work = 0;
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
     state.hold_from.clear();
@@ -90,24 +94,59 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     return share;
 }
 
-bool waits(Pace& pace, const Motion& motion) {
+// Into `asked`: the ways that these tools would have what they hold, and their own ends, go in this tick.
+void collect_asked(State& state, const Movers& movers) {
+    state.asked.clear();
+    for (std::size_t h = 0; h < state.hold_from.size(); ++h)
+        if (movers.include(state.input.hold_owners[h])) state.asked.push_back(state.input.holds[h].target - state.hold_from[h]);
+    for (const MovingCapsule& c : state.input.capsules)
+        if (movers.include(c.owner)) state.asked.insert(state.asked.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
+}
+
+bool is_much_the_same(const std::vector<Vec3>& asked, const std::vector<Vec3>& refused) {
+    constexpr double change = 0.25;  // of a way: a hand that trembles asks for the same, one that gives way does not
+    return std::equal(asked.begin(), asked.end(), refused.begin(), refused.end(),
+                      [](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= change * change * b.squaredNorm(); });
+}
+
+bool still_asks(State& state, const Movers& movers) {
+    collect_asked(state, movers);
+    return is_much_the_same(state.asked, state.paces[movers.pace].refused);
+}
+
+bool waits(State& state, const Movers& movers, const Motion& motion) {
+    Pace& pace = state.paces[movers.pace];
     if (pace.waits == 0 || motion.most() == 0) return false;
+    if (!still_asks(state, movers)) {
+        pace.waits = pace.jams_in_a_row = 0;
+        pace.stuck = false;
+        return false;
+    }
     --pace.waits;
     return true;
 }
 
-// What is jammed is tried again after 1, 3, 7, 7 ... ticks.
+// What is jammed is tried again after 1, 3, 7 ... ticks, a tenth of a second at last: nothing has changed meanwhile.
 void trust_less(Pace& pace) {
-    constexpr int longest = 3;
+    constexpr int longest = 7;
     ++pace.refused_in_a_row;
     if (pace.trust <= least_trust) pace.waits = (1 << std::min(++pace.jams_in_a_row, longest)) - 1;
-    pace.trust = std::max(least_trust, pace.trust / 2);
+    pace.trust = std::max(least_trust, pace.trust / 4);
 }
 
-// A hard step costs the same however short it is, so it too may become longer; slower, for a refused one halves it again.
+// A hard step costs the same however short it is, so it too may become longer; slower, for a refused one quarters it again.
 void trust_more(Pace& pace, bool was_easy) {
     pace.refused_in_a_row = pace.jams_in_a_row = 0;
     pace.trust = std::min(1.0, (was_easy ? 2 : 1.25) * pace.trust);
+}
+
+// The thread has moved: what it refused a while ago it may grant now.
+void wake(State& state) {
+    constexpr int longest = 7;  // [ticks]
+    for (Pace& pace : state.paces) {
+        pace.waits = std::min(pace.waits, longest);
+        pace.stuck = false;
+    }
 }
 
 // What was refused before is tried the other way.
@@ -119,23 +158,52 @@ bool is_at_rest(const State& state, const Motion& motion) {
     return std::all_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return over_goal(state, row, row.distance) < 1; });
 }
 
+// A step that is refused is dared shorter. The shortest one is gone on with: what passes of one tick have not settled those of
+// the next ones often do.
+void learn_from_refusal(State& state, const Movers& movers, double share) {
+    constexpr int most_tries = 8;  // [ticks] that a knot may hold up hands which it does not let pass in the end
+    Unfinished& unfinished = state.unfinished;
+    Pace& pace = state.paces[movers.pace];
+    collect_asked(state, movers);
+    pace.refused = state.asked;
+    unfinished.tries = unfinished.pace < 0 ? 1 : unfinished.tries + 1;
+    unfinished.share = share;
+    if (pace.trust <= least_trust && unfinished.tries < most_tries) {
+        unfinished.pace = static_cast<int>(movers.pace);
+    } else {
+        unfinished.pace = -1;
+        trust_less(pace);
+    }
+}
+
 // Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the slack
 // around it does: that is easily found, and says nothing of how far to trust.
 bool substep(State& state, const Movers& movers, const Motion& motion, bool jammed, TickReport& report) {
     constexpr int work_of_looking = 6, easy_work = 12;
     Pace& pace = state.paces[movers.pace];
-    look_around(state, motion.most());
-    measure_gaps(state);
+    const bool is_known = !look_around(state, motion.most()) && state.unfinished.pace == static_cast<int>(movers.pace);
+    if (!is_known) {
+        state.unfinished.pace = -1;
+        measure_gaps(state, motion.most());
+        state.work += work_of_looking;
+    }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     if (is_at_rest(state, motion)) return false;
-    const double share = motion.most() > 0 ? admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust) : 1;
+    const auto admissible = [&] { return motion.most() > 0 ? admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust) : 1; };
+    const double share = is_known ? state.unfinished.share : admissible();
+    const Answer answer = jammed ? Answer::keep_what_presses : is_known ? Answer::go_on : next_answer(pace);
     const int work_before = state.work;
     state.progress_before = state.progress;
     for (std::size_t g = movers.first; g < movers.last; ++g) state.progress[g] = std::min(1.0, state.progress[g] + share);
-    const Substep step = attempt(state, share * motion.most(), jammed ? Answer::keep_what_presses : next_answer(pace));
-    if (!step.accepted) state.progress = state.progress_before;
-    if (!jammed) step.accepted ? trust_more(pace, state.work - work_before <= easy_work) : trust_less(pace);
-    state.work += work_of_looking;
+    const Substep step = attempt(state, share * motion.most(), answer);
+    if (step.accepted) {
+        state.unfinished.pace = -1;
+        if (!jammed) trust_more(pace, !is_known && state.work - work_before <= easy_work);
+        if (!state.settled) wake(state);
+    } else {
+        state.progress = state.progress_before;
+        if (!jammed) learn_from_refusal(state, movers, share);
+    }
     ++report.substeps;
     report.pass_throughs += step.pass_throughs;
     report.step_over_bound = std::max(report.step_over_bound, step.over_bound);
@@ -151,12 +219,16 @@ void move(State& state, const Movers& movers, int may_cost, TickReport& report) 
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
         return;
     }
-    const bool jammed = waits(pace, motion);
+    const bool jammed = waits(state, movers, motion);
+    if (jammed && pace.stuck) return;
     const auto arrived = [&] { return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last) >= 1; };
     while (!arrived() && state.work < may_cost && (jammed || pace.waits == 0)) {
         const bool accepted = substep(state, movers, motion, jammed, report);
-        if (jammed && !accepted) return;
-        if (motion.most() > 0 || accepted) continue;
+        if (jammed && !accepted) {
+            pace.stuck = true;
+            return;
+        }
+        if (motion.most() > 0 || accepted || state.unfinished.pace == static_cast<int>(movers.pace)) continue;
         state.settled = true;  // nothing better can be found and nothing asks for more
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
     }
@@ -173,16 +245,23 @@ TickReport tick(State& state, const TickInput& input) {
         return report;
     }
     begin(state, input);
-    // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls.
+    // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls. But
+    // what is unfinished is finished first.
     const std::size_t groups = state.progress.size();
+    const auto movers_of = [&](int pace) {
+        const auto p = static_cast<std::size_t>(pace);
+        return pace == 0 ? Movers{0, groups, 0} : Movers{p - 1, p, p};
+    };
+    if (state.unfinished.pace >= 0 && !still_asks(state, movers_of(state.unfinished.pace))) state.unfinished.pace = -1;
     const bool goes_well = groups == 1 || state.paces[0].trust > 0.25;
-    move(state, {0, groups, 0}, goes_well ? most_work : most_work / 2, report);
-    for (std::size_t g = 0; g < groups && groups > 1; ++g) move(state, {g, g + 1, g + 1}, most_work, report);
+    for (int pace = 0; pace <= (groups > 1 ? static_cast<int>(groups) : 0); ++pace)
+        if (state.unfinished.pace < 0 || state.unfinished.pace == pace)
+            move(state, movers_of(pace), pace > 0 || goes_well ? most_work : most_work / 2, report);
     report.fraction = *std::min_element(state.progress.begin(), state.progress.end());
     estimate_tension(state);
     report.stretch_max = worst_stretch(state, state.nodes);
     for (const Row& row : state.rows)
-        if (row.against == Against::thread) report.separation_min = std::min(report.separation_min, row.distance / row.thickness);
+        if (row.against == Against::thread) report.separation_min = std::min(report.separation_min, row.distance / (2 * state.def.radius));
     return report;
 }
 

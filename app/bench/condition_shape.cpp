@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/bench/start_shapes.hpp"
+#include "app/bench/trace.hpp"
+#include "sim/geometry/closest_points.hpp"
+#include "sim/knot/namer.hpp"
+
+// Conditions on where the thread lies, measured from its nodes alone: they share no code with the solver's contacts.
+namespace app::bench {
+
+namespace {
+
+using sim::geometry::closest_points;
+
+constexpr int every = 10;  // [ticks] Testing all pairs after each tick would take longer than the tick.
+
+/// The least of what a frame says, every tenth tick and after the last.
+template <typename Figure>
+double least(const Trace& trace, const Condition& condition, double none, Figure figure) {
+    double value = none;
+    for (std::size_t i = 0; i < trace.frames.size(); ++i) {
+        const double t = static_cast<double>(i + 1) * trace.tick;
+        const bool due = (i + 1) % every == 0 || i + 1 == trace.frames.size();
+        if (due && t >= condition.from && t <= condition.to) value = std::min(value, figure(trace.frames[i]));
+    }
+    return value;
+}
+
+// Links along less than half a turn about the thread's own thickness are one bend, not two strands.
+bool one_bend(const Trace& trace, std::size_t i, std::size_t j) {
+    double between = 0;
+    for (std::size_t k = i + 1; k < j; ++k) between += trace.rest[k];
+    return between <= 3.1416 * trace.diameter / 2;
+}
+
+constexpr double far = 3;  // [D] what nothing comes near to is told as this
+
+double nearest_strands(const Trace& trace, const Frame& frame) {
+    double least2 = far * far * trace.diameter * trace.diameter;
+    const auto& x = frame.nodes;
+    for (std::size_t i = 0; i + 2 < x.size(); ++i)
+        for (std::size_t j = i + 2; j + 1 < x.size(); ++j) {
+            const double reach = std::sqrt(least2) + trace.rest[i] + trace.rest[j];
+            if ((x[i] - x[j]).squaredNorm() > reach * reach) continue;
+            const double d2 = closest_points(x[i], x[i + 1], x[j], x[j + 1]).distance_squared;
+            if (d2 < least2 && !one_bend(trace, i, j)) least2 = d2;
+        }
+    return std::sqrt(least2) / trace.diameter;
+}
+
+double reported_separation(const Trace& trace, const Condition& condition) {
+    double value = far;
+    for (std::size_t i = 0; i < trace.frames.size(); ++i) {
+        const double t = static_cast<double>(i + 1) * trace.tick;
+        if (t >= condition.from && t <= condition.to) value = std::min(value, trace.frames[i].report.separation_min);
+    }
+    return value;
+}
+
+double gap_to_tools(const Trace& trace, const Frame& frame) {
+    double gap = far * trace.diameter;
+    for (const Capsule& tool : frame.tools)
+        for (std::size_t i = 0; i + 1 < frame.nodes.size(); ++i) {
+            const double d2 = closest_points(frame.nodes[i], frame.nodes[i + 1], tool.a, tool.b).distance_squared;
+            gap = std::min(gap, std::sqrt(d2) - tool.radius - trace.diameter / 2);
+        }
+    return gap / trace.diameter;
+}
+
+double gap_to_surface(const Scene& scene, const Trace& trace, const Frame& frame) {
+    double gap = far * trace.diameter;
+    for (const auto& triangle : scene.surface) {
+        sim::geometry::Box box;
+        for (const Vec3* corner : {&triangle.a, &triangle.b, &triangle.c}) box.include(*corner);
+        for (std::size_t i = 0; i + 1 < frame.nodes.size(); ++i) {
+            sim::geometry::Box link;
+            link.include(frame.nodes[i]);
+            link.include(frame.nodes[i + 1]);
+            if (!link.grown(gap + trace.diameter / 2).overlaps(box)) continue;  // no nearer than what is known
+            const double d2 = closest_points(frame.nodes[i], frame.nodes[i + 1], triangle).distance_squared;
+            gap = std::min(gap, std::sqrt(d2) - trace.diameter / 2);
+        }
+    }
+    return gap / trace.diameter;
+}
+
+double consumed(const Trace& trace, const Frame& frame) {
+    const double length = std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0);
+    return (length - (frame.nodes.back() - frame.nodes.front()).norm()) / trace.diameter;
+}
+
+double length_error(const Trace& trace) {
+    return std::abs(length_of(trace.nodes()) / std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0) - 1);
+}
+
+// Every 100 ticks, and a name that is not certain says nothing.
+double name_changes(const Trace& trace) {
+    constexpr std::size_t period = 100;
+    std::string name = sim::knot::name_knot(trace.start).knot;
+    double changes = 0;
+    for (std::size_t i = period - 1; i < trace.frames.size(); i += period) {
+        const auto now = sim::knot::name_knot(trace.frames[i].nodes);
+        changes += now.certain && now.knot != name;
+        if (now.certain) name = now.knot;
+    }
+    return changes;
+}
+
+using S = const Scene&;
+using T = const Trace&;
+using C = const Condition&;
+
+}  // namespace
+
+const std::vector<ConditionKind>& shape_kinds() {
+    static const std::vector<ConditionKind> kinds{
+        {"knot_differs", "count", "1 where the knot in the end is not the one named",
+         [](S, T t, C c) { return sim::knot::name_knot(t.nodes()).knot == c.knot ? 0.0 : 1.0; }},
+        {"knot_changes", "count", "times the knot took another name", [](S, T t, C) { return name_changes(t); }},
+        {"separation_min", "D", "smallest distance of strands, by the solver", [](S, T t, C c) { return reported_separation(t, c); }},
+        {"separation_measured", "D", "the same measured over all pairs of links, every tenth tick",
+         [](S, T t, C c) { return least(t, c, far, [&](const Frame& f) { return nearest_strands(t, f); }); }},
+        {"tool_gap_min", "D", "smallest gap between thread and tools; negative: into the steel",
+         [](S, T t, C c) { return least(t, c, far, [&](const Frame& f) { return gap_to_tools(t, f); }); }},
+        {"surface_gap_min", "D", "smallest gap between thread and wall; negative: into the wall",
+         [](S s, T t, C c) { return least(t, c, far, [&](const Frame& f) { return gap_to_surface(s, t, f); }); }},
+        {"length_error", "share", "whole length in the end, from what it was", [](S, T t, C) { return length_error(t); }},
+        {"consumed_final", "D", "thread length less distance of its ends, in the end", [](S, T t, C) { return consumed(t, t.frames.back()); }},
+        {"consumed_min", "D", "the same at its least",
+         [](S, T t, C c) { return least(t, c, 1e300, [&](const Frame& f) { return consumed(t, f); }); }},
+        {"slipped", "D", "how much farther apart the ends are than they were at from_s",
+         [](S, T t, C c) {
+             const auto tick = static_cast<std::size_t>(c.from / t.tick);
+             return consumed(t, t.frames[std::min(tick, t.frames.size() - 1)]) - consumed(t, t.frames.back());
+         }},
+    };
+    return kinds;
+}
+
+}  // namespace app::bench

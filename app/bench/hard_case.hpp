@@ -1,0 +1,113 @@
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/bench/row.hpp"
+#include "sim/thread/thread.hpp"
+
+// A hard case: a scene in which simulators of thread fail, what would go wrong for a user if ours did, and conditions that
+// tell. Scenes are files (tests/hard_cases/*.json), shared by tests, `carrel bench stability` and the viewer.
+namespace app::bench {
+
+using sim::geometry::Capsule;
+using sim::geometry::Vec3;
+
+/// How far something has gone and turned at one time.
+struct WayKey {
+    double t = 0;             ///< [s]
+    Vec3 by = Vec3::Zero();   ///< [m]
+    double turn = 0;          ///< [rad] about Way::axis.
+};
+
+/// Linear between its keys, still before and after them.
+struct Way {
+    std::vector<WayKey> keys;  ///< Times ascend; none: it stands still.
+    Vec3 axis = Vec3::UnitX();
+
+    WayKey at(double t) const;
+};
+
+/// Nodes that a tool grasps, carries as one rigid piece, and releases.
+struct HoldPlan {
+    std::vector<int> nodes;
+    int tool = -1;
+    double from = 0, to = 0;                  ///< [s]
+    double chatter_period = 0, chatter_phase = 0;  ///< [s] Held only in the first half of each period, if there is one.
+    Way way;                                  ///< Counted from where the nodes are when grasped.
+
+    bool held_at(double t) const;
+};
+
+/// A part of a tool: a capsule and its way from where it starts.
+struct ToolPlan {
+    int tool = 0;
+    Capsule capsule;
+    Way way;
+};
+
+/// Input that is not what it should be, for a while.
+struct Fault {
+    enum class Kind { nan, infinite, zero_rotation, long_rotation, flipped_rotation, frozen, leap, sampled };
+    Kind kind = Kind::nan;
+    std::string input;        ///< "holds", "tools", or an instrument of a drill.
+    double from = 0, to = 0;  ///< [s]
+    Vec3 by = Vec3::Zero();   ///< Of a leap [m].
+    double hz = 0;            ///< Of what is sampled.
+};
+
+/// One scene, ready to be played.
+struct Scene {
+    sim::thread::ThreadDef thread;
+    std::vector<Vec3> nodes;  ///< [m]
+    std::vector<HoldPlan> holds;
+    std::vector<ToolPlan> tools;
+    std::vector<sim::geometry::Triangle> surface;
+    std::vector<Fault> faults;
+    double tick = 1e-3, duration = 0;  ///< [s]
+    std::filesystem::path drill;       ///< If set, the scene is this drill moved by its own motion.
+};
+
+/// What is measured and what it must be.
+struct Condition {
+    std::string is;          ///< One of condition_kinds().
+    Must must = Must::be_at_most;
+    double bound = 0;
+    double from = 0;         ///< Measured from here [s] ...
+    double to = std::numeric_limits<double>::infinity();  ///< ... to here.
+    int node = -1;           ///< Of which node; -1: the one that shows most.
+    int tool = 0;
+    double factor = 1;       ///< Of what is scaled.
+    std::string knot;        ///< The name it must have.
+    std::string known;       ///< Not empty: fails today, for this reason.
+};
+
+struct HardCase {
+    std::string id, goes_wrong, why;
+    std::vector<std::string> cases;  ///< "E4", "T20", as numbered in docs/stability.md.
+    std::vector<Scene> scenes;       ///< At least one; the others are its variants.
+    std::vector<Condition> conditions;
+};
+
+/// Reads a scene file. Throws scenarios::drill::FileError "file:line:column: error: /json/pointer: what, what would be
+/// right", or InputFault for a curve or drill that it names.
+HardCase load_hard_case(const std::filesystem::path& file);
+HardCase parse_hard_case(const std::string& text, const std::filesystem::path& file);
+
+/// The scene files of a folder, in order of name.
+std::vector<std::filesystem::path> hard_case_files(const std::filesystem::path& folder);
+
+/// A condition and the worst of it over all variants.
+struct Outcome {
+    Condition condition;
+    double value = 0, seconds = 0;
+
+    bool holds() const { return condition.must == Must::be_at_most ? value <= condition.bound : value >= condition.bound; }
+};
+
+/// Plays every variant (only the first if `quick`) and measures every condition.
+std::vector<Outcome> examine(const HardCase& hard_case, bool quick = false);
+
+}  // namespace app::bench

@@ -1,0 +1,139 @@
+#include <algorithm>
+
+#include "app/bench/hands.hpp"
+#include "app/bench/laws.hpp"
+#include "app/bench/stopwatch.hpp"
+#include "sim/knot/namer.hpp"
+
+namespace app::bench {
+
+namespace {
+
+using sim::thread::Hold;
+
+constexpr double tick = 1e-3;             // [s]
+constexpr double step = 0.02e-3;          // [m] a tick, 20 mm/s: asked of each hand for ever
+constexpr double diameter = 2 * ThreadDef{}.radius;
+constexpr double deep = 25;                // of the loop, where the throws are 2 wide: some 70 D of thread hang below the knot
+
+// A thread with a knot above a loop, and the four places where it is held.
+struct Loop {
+    Loop(Knot knot, double friction) : thread({.friction = friction}, loose_thread(looped(knot, deep), 60, diameter,
+        0.5 * diameter).nodes) {
+        const auto nodes = thread.nodes();
+        last = static_cast<int>(nodes.size()) - 1;
+        // Sides: where the thread from its lowest node upwards has come nine tenths of the way to the knot.
+        double low = 1e300;
+        for (const Vec3& p : nodes) low = std::min(low, p.z());
+        left = right = last / 2;
+        const double knot_at = low * 3 / (3 + deep), level = low + 0.9 * (knot_at - low);
+        while (nodes[static_cast<std::size_t>(left)].z() < level) --left;
+        while (nodes[static_cast<std::size_t>(right)].z() < level) ++right;
+    }
+
+    Vec3 at(int node) const { return thread.nodes()[static_cast<std::size_t>(node)]; }
+    double apart() const { return (at(right) - at(left)).norm() / diameter; }
+
+    // The sides stay, the tails are pulled apart.
+    TickReport pull_tails() {
+        const Vec3 on = step * (at(last) - at(0)).normalized();
+        const Hold holds[] = {{0, at(0) - on}, {left, at(left)}, {right, at(right)}, {last, at(last) + on}};
+        const int owners[] = {0, 2, 3, 1};
+        return thread.tick({holds, owners, {}, nullptr});
+    }
+
+    // The tails are free, the sides are pulled apart.
+    TickReport pull_sides() {
+        const Vec3 on = step * (at(right) - at(left)).normalized();
+        const Hold holds[] = {{left, at(left) - on}, {right, at(right) + on}};
+        const int owners[] = {0, 1};
+        return thread.tick({holds, owners, {}, nullptr});
+    }
+
+    Thread thread;
+    int left = 0, right = 0, last = 0;
+};
+
+std::string name_of(const Thread& thread) { return sim::knot::name_knot({thread.nodes().begin(), thread.nodes().end()}).knot; }
+
+}  // namespace
+
+Held hold_knot(Knot knot, double friction, double seconds) {
+    constexpr int tying = 1000;
+    Loop loop(knot, friction);
+    Held held;
+    for (int i = 0; i < tying; ++i) held.pass_throughs += loop.pull_tails().pass_throughs;
+    const int ticks = static_cast<int>(seconds / tick);
+    const double start = loop.apart();
+    double settled = start;
+    for (int i = 0; i < ticks; ++i) {
+        held.pass_throughs += loop.pull_sides().pass_throughs;
+        if (i == ticks / 10) settled = loop.apart();
+    }
+    held.slip = loop.apart() - settled;
+    held.way = loop.apart() - start;
+    held.still_tied = name_of(loop.thread) == known(knot).type;
+    return held;
+}
+
+// The last node that touches another strand.
+static int end_of_knot(const Thread& thread) {
+    const auto nodes = thread.nodes();
+    constexpr std::size_t neighbours = 4;
+    for (std::size_t i = nodes.size(); i-- > neighbours;)
+        for (std::size_t j = 0; j + neighbours < i; ++j)
+            if ((nodes[i] - nodes[j]).norm() < 1.3 * diameter) return static_cast<int>(i);
+    return 0;
+}
+
+// The tail is cut four links behind the knot. Then the strand that leads to it is drawn out of the knot, the other end held.
+Opened open_knot(double friction) {
+    constexpr int most_ticks = 2000, tail = 4, in_the_knot = 6;
+    const ThreadDef def{.friction = friction};
+    Thread uncut(def, loose_thread(Knot::trefoil, 50, diameter, 0.5 * diameter).nodes);
+    Apart pull(uncut);
+    Opened opened;
+    tighten(uncut, pull, 0.05, most_ticks, [&](const TickReport& report) { opened.pass_throughs += report.pass_throughs; });
+    opened.tight = taken_up(uncut) < 13;  // within 2 D of the tightest
+    const int end = end_of_knot(uncut);
+    Thread thread(def, {uncut.nodes().begin(), uncut.nodes().begin() + end + tail + 1});
+    Hands hands(thread);
+    hands.grasp(thread, 1, end - in_the_knot);
+    for (int i = 0; i < most_ticks && !opened.open; ++i) {
+        opened.pass_throughs += hands.move(thread, -0.5 * step * pull.away, step * pull.away.unitOrthogonal()).pass_throughs;
+        opened.open = i % 50 == 49 && name_of(thread) == "0_1";
+    }
+    return opened;
+}
+
+std::vector<Row> stick_rows(bool quick) {
+    const double seconds = quick ? 4 : 60;
+    const std::string time = std::to_string(static_cast<int>(seconds)) + " s";
+    std::vector<Row> rows;
+    const auto add = [&](const std::string& id, Knot knot, double friction, std::optional<double> bound, Must must) {
+        const Stopwatch watch;
+        const Held held = hold_knot(knot, friction, seconds);
+        const std::string what = std::string(known(knot).words) + " knot, friction " + std::to_string(friction).substr(0, 3)
+            + ", sides of its loop pulled apart at 20 mm/s for " + time;
+        rows.push_back({.id = id, .what = what + (friction > 0
+            ? ": how far they come after the first tenth" : ": how far they come"),
+                        .value = friction > 0 ? held.slip : held.way, .unit = "D", .bound = bound, .must = must, .error = {},
+                            .seconds = watch.seconds()});
+        rows.push_back({.id = id + "-passes", .what = what + ": pass-throughs",
+            .value = static_cast<double>(held.pass_throughs), .unit = "count", .bound = 0, .error = {}});
+    };
+    add("stick-square", Knot::square, 0.3, 0.1,
+        Must::be_at_most);   // D21: what holds drifts by no more than a tenth of the thickness
+    add("stick-granny", Knot::granny, 0.3, {}, Must::be_at_most);
+    add("slip-square", Knot::square, 0, 5, Must::be_at_least);       // far more than a knot gives by tightening
+    const Stopwatch watch;
+    const Opened opened = open_knot(0.15);
+    rows.push_back({.id = "open-overhand", .what = "a tight overhand opens when a strand is drawn out of it: the short tail runs through",
+        .value = opened.tight && opened.open ? 1.0 : 0.0,
+                    .unit = "count", .bound = 1, .must = Must::be_at_least, .error = {}, .seconds = watch.seconds()});
+    rows.push_back({.id = "open-overhand-passes", .what = "the same: pass-throughs",
+        .value = static_cast<double>(opened.pass_throughs), .unit = "count", .bound = 0, .error = {}});
+    return rows;
+}
+
+}  // namespace app::bench

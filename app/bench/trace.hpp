@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "app/bench/hard_case.hpp"
+
+namespace app::bench {
+
+/// The scene after one tick.
+struct Frame {
+    std::vector<Vec3> nodes;     ///< [m]
+    std::vector<Capsule> tools;  ///< Where the thread let them come to, in order of Scene::tools.
+    sim::thread::TickReport report;
+    double lag = 0;              ///< Of the held node that is farthest behind [m].
+    double tension = 0, tension_first = 0, tension_last = 0;  ///< Most, of the first and of the last link [N].
+};
+
+/// All that was seen of one scene.
+struct Trace {
+    double tick = 0, diameter = 0;  ///< [s], [m]
+    std::vector<Vec3> start;
+    std::vector<double> rest;       ///< [m]
+    std::vector<Frame> frames;      ///< One a tick.
+    std::uint64_t hash = 0;         ///< In the end.
+    int inputs_dropped = 0;         ///< Events of a drill.
+
+    const std::vector<Vec3>& nodes() const { return frames.back().nodes; }
+};
+
+/// Plays a scene.
+Trace play(const Scene& scene);
+
+/// The same scene in a world mapped by `linear` (a scale times a rotation or reflection).
+Scene mapped(const Scene& scene, const Eigen::Matrix3d& linear);
+/// The same scene with its nodes numbered from the other end.
+Scene reversed(Scene scene);
+
+/// One kind of condition.
+struct ConditionKind {
+    const char* name;
+    const char* unit;
+    const char* words;
+    double (*measure)(const Scene& scene, const Trace& trace, const Condition& condition);
+};
+const std::vector<ConditionKind>& condition_kinds();
+const ConditionKind& condition_kind(const std::string& name);
+
+/// Those that play the scene again in another way.
+const std::vector<ConditionKind>& twin_kinds();
+/// Those that look at the shape of the thread and at what it touches.
+const std::vector<ConditionKind>& shape_kinds();
+
+}  // namespace app::bench

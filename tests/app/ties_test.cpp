@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include "app/bench/hands.hpp"
+#include "app/bench/ties.hpp"
+#include "sim/knot/namer.hpp"
+
+namespace {
+
+using namespace app::bench;
+
+// A start that is not the knot it is called would make every later comparison worthless.
+TEST(Ties, LooseThreadsAreTheKnotsTheyAreCalled) {
+    const double radius = ThreadDef{}.radius;
+    for (const KnownKnot& knot : known_knots)
+        for (const double radius_per_link : {0.2, 0.6}) {
+            const auto nodes = loose_thread(knot.knot, 60, radius / radius_per_link, radius).nodes;
+            const auto name = sim::knot::name_knot(nodes);
+            EXPECT_EQ(name.knot, knot.type) << knot.words;
+            EXPECT_TRUE(name.certain) << knot.words;
+        }
+}
+
+// Every kind of knot is met among these seeds; 10,000 run in tests/bench/ties.cpp.
+TEST(Ties, SeededTiesKeepTheirKnots) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const Tied tied = ties(seed);
+        EXPECT_TRUE(tied.good()) << words(seed, tie_of(seed), tied);
+        EXPECT_FALSE(tied.before.empty()) << seed;
+    }
+}
+
+TEST(Ties, TheSameSeedGivesTheSameBits) {
+    const Tied a = ties(3), b = ties(3);
+    EXPECT_EQ(a.left, b.left);
+    EXPECT_EQ(a.stretch, b.stretch);
+    EXPECT_EQ(a.ticks, b.ticks);
+}
+
+}  // namespace
