@@ -1,10 +1,10 @@
 #include "app/bench/capstan.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "app/bench/gauge.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
@@ -130,8 +130,7 @@ Capstan capstan(const CapstanCase& c) {
     }
     Capstan result;
     if (ratios.empty()) return result;
-    std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
-    result.ratio = ratios[ratios.size() / 2];
+    result.ratio = percentile(ratios, 0.5);
     result.followed = 2.0 * static_cast<double>(ratios.size()) / ticks;
     return result;
 }

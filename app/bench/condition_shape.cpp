@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "app/bench/gauge.hpp"
 #include "app/bench/start_shapes.hpp"
 #include "app/bench/trace.hpp"
 #include "sim/geometry/closest_points.hpp"
@@ -28,27 +28,7 @@ double least(const Trace& trace, const Condition& condition, double none, Figure
     return value;
 }
 
-// Links along less than half a turn about the thread's own thickness are one bend, not two strands.
-bool one_bend(const Trace& trace, std::size_t i, std::size_t j) {
-    double between = 0;
-    for (std::size_t k = i + 1; k < j; ++k) between += trace.rest[k];
-    return between <= 3.1416 * trace.diameter / 2;
-}
-
 constexpr double far = 3;  // [D] what nothing comes near to is told as this
-
-double nearest_strands(const Trace& trace, const Frame& frame) {
-    double least2 = far * far * trace.diameter * trace.diameter;
-    const auto& x = frame.nodes;
-    for (std::size_t i = 0; i + 2 < x.size(); ++i)
-        for (std::size_t j = i + 2; j + 1 < x.size(); ++j) {
-            const double reach = std::sqrt(least2) + trace.rest[i] + trace.rest[j];
-            if ((x[i] - x[j]).squaredNorm() > reach * reach) continue;
-            const double d2 = closest_points(x[i], x[i + 1], x[j], x[j + 1]).distance_squared;
-            if (d2 < least2 && !one_bend(trace, i, j)) least2 = d2;
-        }
-    return std::sqrt(least2) / trace.diameter;
-}
 
 double reported_separation(const Trace& trace, const Condition& condition) {
     double value = far;
@@ -86,14 +66,11 @@ double gap_to_surface(const Scene& scene, const Trace& trace, const Frame& frame
     return gap / trace.diameter;
 }
 
-double consumed(const Trace& trace, const Frame& frame) {
-    const double length = std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0);
-    return (length - (frame.nodes.back() - frame.nodes.front()).norm()) / trace.diameter;
-}
+Gauge gauge(const Trace& trace) { return {trace.rest, trace.diameter}; }
 
-double length_error(const Trace& trace) {
-    return std::abs(length_of(trace.nodes()) / std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0) - 1);
-}
+double consumed(const Trace& trace, const Frame& frame) { return gauge(trace).kappa(frame.nodes); }
+
+double length_error(const Trace& trace) { return std::abs(length_of(trace.nodes()) / gauge(trace).length() - 1); }
 
 // Every 100 ticks, and a name that is not certain says nothing.
 double name_changes(const Trace& trace) {
@@ -121,7 +98,7 @@ const std::vector<ConditionKind>& shape_kinds() {
         {"knot_changes", "count", "times the knot took another name", [](S, T t, C) { return name_changes(t); }},
         {"separation_min", "D", "smallest distance of strands, by the solver", [](S, T t, C c) { return reported_separation(t, c); }},
         {"separation_measured", "D", "the same measured over all pairs of links, every tenth tick",
-         [](S, T t, C c) { return least(t, c, far, [&](const Frame& f) { return nearest_strands(t, f); }); }},
+         [](S, T t, C c) { return least(t, c, far, [gap = gauge(t)](const Frame& f) { return gap.gap(f.nodes); }); }},
         {"tool_gap_min", "D", "smallest gap between thread and tools; negative: into the steel",
          [](S, T t, C c) { return least(t, c, far, [&](const Frame& f) { return gap_to_tools(t, f); }); }},
         {"surface_gap_min", "D", "smallest gap between thread and wall; negative: into the wall",

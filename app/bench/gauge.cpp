@@ -22,24 +22,34 @@ bool is_finite(std::span<const Vec3> nodes) {
 
 }  // namespace
 
+Gauge::Gauge(std::vector<double> rest, double diameter) : rest_(std::move(rest)), arc_{0}, diameter_(diameter) {
+    for (const double link : rest_) arc_.push_back(arc_.back() + link);
+}
+
+Gauge::Gauge(const sim::thread::Thread& thread)
+    : Gauge({thread.rest_lengths().begin(), thread.rest_lengths().end()}, 2 * thread.def().radius) {}
+
 double Gauge::stretch(std::span<const Vec3> nodes) const {
-    return is_finite(nodes) ? longest(nodes) / link_ - 1 : NAN;
+    if (!is_finite(nodes)) return NAN;
+    double most = -1;
+    for (std::size_t i = 0; i < rest_.size(); ++i) most = std::max(most, (nodes[i + 1] - nodes[i]).norm() / rest_[i] - 1);
+    return most;
 }
 
 double Gauge::gap(std::span<const Vec3> nodes) const {
     if (!is_finite(nodes)) return NAN;
-    const auto neighbours = static_cast<std::size_t>(std::ceil(0.5 * std::numbers::pi * diameter_ / link_)) + 1;
-    const double step = longest(nodes);
+    const double step = longest(nodes), half_turn = 0.5 * std::numbers::pi * diameter_;
     double least = 3 * diameter_;
     const auto middle = [&](std::size_t i) { return Vec3(0.5 * (nodes[i] + nodes[i + 1])); };
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        for (std::size_t j = i + neighbours; j + 1 < nodes.size(); ++j) {
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+        for (std::size_t j = i + 2; j < rest_.size(); ++j) {
             // Middles of neighbouring links are at most `step` apart, so what is far off lets us skip as many.
             const double spare = (middle(i) - middle(j)).norm() - step - least;
             if (spare > 0) {
                 j += static_cast<std::size_t>(spare / step);
                 continue;
             }
+            if (arc_[j] - arc_[i + 1] < half_turn) continue;
             const auto pair = sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]);
             least = std::min(least, std::sqrt(pair.distance_squared));
         }
@@ -47,9 +57,7 @@ double Gauge::gap(std::span<const Vec3> nodes) const {
     return least / diameter_;
 }
 
-double Gauge::kappa(std::span<const Vec3> nodes) const {
-    return (static_cast<double>(nodes.size() - 1) * link_ - (nodes.back() - nodes.front()).norm()) / diameter_;
-}
+double Gauge::kappa(std::span<const Vec3> nodes) const { return (length() - (nodes.back() - nodes.front()).norm()) / diameter_; }
 
 double percentile(std::vector<double> values, double share) {
     if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) return NAN;

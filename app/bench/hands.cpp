@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/bench/gauge.hpp"
 #include "sim/knot/namer.hpp"
 
 namespace app::bench {
@@ -52,19 +53,11 @@ double tighten(Thread& thread, Apart& pull, double speed, int most_ticks, const 
     return least;
 }
 
-double length_of(const Thread& thread) {
-    double length = 0;
-    for (const double rest : thread.rest_lengths()) length += rest;
-    return length;
-}
-
-double end_distance(const Thread& thread) { return (thread.nodes().back() - thread.nodes().front()).norm(); }
-
-double taken_up(const Thread& thread) { return (length_of(thread) - end_distance(thread)) / (2 * thread.def().radius); }
+double taken_up(const Thread& thread) { return Gauge(thread).kappa(thread.nodes()); }
 
 std::string name_between(const Thread& thread, int first, int last) {
     std::vector<Vec3> curve(thread.nodes().begin() + first, thread.nodes().begin() + last + 1);
-    const Vec3 out = 10 * length_of(thread) * (curve.back() - curve.front()).normalized();
+    const Vec3 out = 10 * Gauge(thread).length() * (curve.back() - curve.front()).normalized();
     curve.insert(curve.begin(), curve.front() - out);
     curve.push_back(curve.back() + out);
     const auto name = sim::knot::name_knot(curve);

@@ -46,10 +46,7 @@ struct Apart {
 double tighten(Thread& thread, Apart& pull, double speed, int most_ticks,
     const std::function<void(const TickReport&)>& each = {});
 
-double length_of(const Thread& thread);      ///< At rest [m].
-double end_distance(const Thread& thread);   ///< [m]
-
-/// What the knot takes up: the thread's length less the distance of its ends, in thread diameters.
+/// What the knot takes up, in thread diameters: Gauge::kappa.
 double taken_up(const Thread& thread);
 
 /// Named with its ends led out far beyond the nodes `first` and `last` along the line between them; empty if not certain.

@@ -110,7 +110,8 @@ Shape condition() {
                          {"part", count(0, 99), false, 0},
                          {"factor", quantity(1e-6, 1e6), false, 1},
                          {"knot", words()},
-                         {"known", words()}});
+                         {"known", words()},
+                         {"today", quantity(-1e12, 1e12)}});
     shape.one_of = {"at_most", "at_least"};
     return shape;
 }

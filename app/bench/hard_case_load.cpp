@@ -27,6 +27,7 @@ Condition condition_of(const json& value, const Scene& scene) {
     c.factor = value["factor"];
     c.knot = value.value("knot", "");
     c.known = value.value("known", "");
+    if (value.contains("today")) c.today = value["today"];
     return c;
 }
 
@@ -34,6 +35,8 @@ Condition condition_of(const json& value, const Scene& scene) {
 void check(const Condition& c, const Scene& scene, const std::string& at) {
     if ((c.is == "knot_differs") == c.knot.empty())
         throw Misfit{at, c.knot.empty() ? "the key \"knot\" is missing: the name it must have" : "\"knot\" goes with \"knot_differs\" alone"};
+    if (c.known.empty() == c.today.has_value())
+        throw Misfit{at, c.known.empty() ? "\"today\" goes with \"known\" alone" : "the key \"today\" is missing: the bound that holds until then"};
     const bool needs_tool = c.is == "tool_moved";
     if (needs_tool && (!scene.drill.empty() || c.tool >= static_cast<int>(scene.tools.size())))
         throw Misfit{at + "/part", "expected less than the " + std::to_string(scene.tools.size()) + " tool parts of the scene"};

@@ -1,56 +1,11 @@
 #include "app/bench/knots.hpp"
 
-#include <numbers>
-
-#include "sim/geometry/portable_math.hpp"
+#include "app/bench/throws.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
 
 namespace {
-
-using sim::geometry::portable_sin_cos;
-constexpr double pi = std::numbers::pi;
-
-// Two strands that run across one another, twisted (2 turns + 1) half turns: a throw; right-handed or not.
-struct Throw {
-    int turns;
-    bool right_handed;
-};
-
-void append_throw(std::vector<Vec3>& strand, Throw t, double side, double z) {
-    constexpr double half_width = 2.0;
-    const double turn = (t.right_handed ? 1.0 : -1.0) * (2 * t.turns + 1) * pi;
-    const int steps = 12 * (2 * t.turns + 1);
-    for (int i = 0; i <= steps; ++i) {
-        const auto phase = portable_sin_cos(-pi / 2 + turn * -side * i / steps);
-        strand.emplace_back(side * half_width * (1.0 - 2.0 * i / steps), phase.cos, z + phase.sin);
-    }
-}
-
-// A thread round a loop below, tied with these throws from the loop upwards, both ends at the top. The loop is a corner, or
-// hangs `deep` [units] with sides as wide apart as the throws.
-std::vector<Vec3> tied(const std::vector<Throw>& throws, double deep = 0) {
-    std::vector<Vec3> a{{0, 0, -6}}, b;
-    if (deep > 0) {
-        a = {{0, 0, -3 - deep}, {-2.5, 0, -3 - deep}};
-        b = {{2.5, 0, -3 - deep}};
-    }
-    a.emplace_back(-2.5, 0, -3);
-    b.emplace_back(2.5, 0, -3);
-    double side = -1, z = 0;
-    for (const Throw& t : throws) {
-        append_throw(a, t, side, z);
-        append_throw(b, t, -side, z);
-        side = -side;
-        z += 3;
-    }
-    a.emplace_back(6 * side, 0, z + 2);
-    b.emplace_back(-6 * side, 0, z + 2);
-    std::vector<Vec3> path(a.rbegin(), a.rend());
-    path.insert(path.end(), b.begin(), b.end());
-    return path;
-}
 
 // Curves p127 (an Aberdeen knot of one throw), p009 (opened) and p129 (a bowline, its end outside the eye) of
 // tests/data/curves, their strands driven apart as far as their length allows, in a hundredth of it.
@@ -87,6 +42,11 @@ const std::vector<Vec3> bowline{
     -1.2}, {-2.4, 1.5, -1.2}, {-4.0, 1.4, -1.2}, {-5.6, 1.3, -1.3}, {-7.2, 1.2, -1.4}, {-8.7, 1.2, -1.5}, {-10.3, 1.1, -1.7},
     {-11.9, 1.1, -1.8}, {-13.4, 1.2, -2.0}, {-15.0, 1.3, -2.2}, {-16.6, 1.4, -2.4}, {-18.1, 1.5, -2.6}, {-19.7, 1.5, -2.9}};
 
+// Ends that lead out far to either side, so that they can go straight on for ever.
+constexpr double out = 6, up = 2;
+
+std::vector<Vec3> tied_open(const std::vector<sim::knot::Throw>& throws) { return tied(throws, {{0, 0, -6}}, {out, 0, up}); }
+
 // Even pieces, each vertex drawn towards its neighbours' middle again and again: corners become bends.
 std::vector<Vec3> rounded(const std::vector<Vec3>& corners, int times, int pieces = 160) {
     std::vector<Vec3> path = sim::thread::resample(corners, pieces), before;
@@ -114,13 +74,13 @@ const KnownKnot& known(Knot knot) { return known_knots[static_cast<std::size_t>(
 std::vector<Vec3> loose(Knot knot) {
     constexpr int corners = 24, of_a_table = 8;
     switch (knot) {
-        case Knot::trefoil: return rounded(tied({{1, true}}), corners);
+        case Knot::trefoil: return rounded(tied_open({{1, true}}), corners);
         case Knot::figure_eight: return rounded(figure_eight, of_a_table);
-        case Knot::five_one: return rounded(tied({{2, true}}), corners);
+        case Knot::five_one: return rounded(tied_open({{2, true}}), corners);
         case Knot::five_two: return rounded(five_two, of_a_table);
-        case Knot::square: return rounded(tied({{1, true}, {1, false}}), corners);
-        case Knot::granny: return rounded(tied({{1, true}, {1, true}}), corners);
-        case Knot::surgeons: return rounded(tied({{2, true}, {1, false}}), corners);
+        case Knot::square: return rounded(tied_open({{1, true}, {1, false}}), corners);
+        case Knot::granny: return rounded(tied_open({{1, true}, {1, true}}), corners);
+        case Knot::surgeons: return rounded(tied_open({{2, true}, {1, false}}), corners);
         case Knot::bowline: return rounded(bowline, of_a_table);
     }
     return {};
@@ -128,8 +88,9 @@ std::vector<Vec3> loose(Knot knot) {
 
 std::vector<Vec3> looped(Knot knot, double deep) {
     constexpr int corners = 24, pieces = 300;  // of the same length as those of loose()
-    return rounded(knot == Knot::square ? tied({{1, true}, {1, false}}, deep) : tied({{1, true}, {1, true}}, deep), corners,
-        pieces);
+    const double low = -3 - deep;
+    const std::vector<Vec3> loop{{-2.5, 0, low}, {0, 0, low}, {2.5, 0, low}};
+    return rounded(tied({{1, true}, {1, knot == Knot::granny}}, loop, {out, 0, up}), corners, pieces);
 }
 
 }  // namespace app::bench

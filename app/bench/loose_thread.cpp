@@ -1,20 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "app/bench/gauge.hpp"
 #include "app/bench/knots.hpp"
-#include "sim/geometry/closest_points.hpp"
+#include "app/bench/start_shapes.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
 
 namespace {
-
-double length_of(const std::vector<Vec3>& path) {
-    double length = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
-    return length;
-}
 
 // The knot `scale` times as large, straight on by `tail` [m] at either end.
 std::vector<Vec3> scaled(std::vector<Vec3> path, double scale, double tail) {
@@ -26,15 +20,9 @@ std::vector<Vec3> scaled(std::vector<Vec3> path, double scale, double tail) {
     return path;
 }
 
-// Strands a tenth of the thickness clear of each other, and bends no tighter than twice the thread's radius. Links nearer
-// in order than half a turn of the tightest bend are the bend itself.
+// Strands a tenth of the thickness clear of each other, and bends no tighter than twice the thread's radius.
 bool fits(const std::vector<Vec3>& nodes, double link, double radius) {
-    const auto skip = static_cast<std::size_t>(std::ceil(std::numbers::pi * radius / link)) + 1;
-    const double apart = 1.1 * 2 * radius;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-        for (std::size_t j = i + skip; j + 1 < nodes.size(); ++j)
-            if (sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j
-                + 1]).distance_squared < apart * apart) return false;
+    if (Gauge(std::vector(nodes.size() - 1, link), 2 * radius).gap(nodes) < 1.1) return false;
     const double least = 2 * link / std::sqrt(1 + 0.25 * link * link / (4 * radius * radius));
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i)
         if ((nodes[i + 1] - nodes[i - 1]).norm() < least) return false;

@@ -23,7 +23,7 @@ class Run {
     Run(Rope& rope, const PullDef& def, const std::vector<Vec3>& start)
         : rope_(rope),
           def_(def),
-          gauge_(def.link(), def.thickness()),
+          gauge_(std::vector(start.size() - 1, def.link()), def.thickness()),
           nodes_(start),
           left_(start.front()),
           right_(start.back()) {}

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/start_shapes.hpp"
+#include "sim/geometry/portable_math.hpp"
+
 namespace app::bench {
 
 using std::numbers::pi;
@@ -15,12 +18,6 @@ Vec3 trefoil(double angle) {
     constexpr double height = 1.5;  // of the tube over its width: open enough for the thickest rope measured
     const double out = 2 + std::cos(3 * angle);
     return {out * std::sin(2 * angle), -out * std::cos(2 * angle), height * std::sin(3 * angle)};
-}
-
-double length_of(const std::vector<Vec3>& path) {
-    double length = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
-    return length;
 }
 
 // So fine that a link spans a dozen pieces and more.
@@ -76,8 +73,10 @@ std::vector<Vec3> overhand(int links, double length) {
 std::vector<Vec3> coil(int links, double link, double radius, double pitch) {
     const double advance = pitch / (2 * pi), step = link / std::hypot(radius, advance);  // [m/rad], [rad]
     std::vector<Vec3> nodes;
-    for (int i = 0; i <= links; ++i)
-        nodes.emplace_back(advance * step * i, radius * std::cos(step * i), radius * std::sin(step * i));
+    for (int i = 0; i <= links; ++i) {
+        const auto angle = sim::geometry::portable_sin_cos(std::remainder(step * i, 2 * pi));
+        nodes.emplace_back(advance * step * i, radius * angle.cos, radius * angle.sin);
+    }
     return nodes;
 }
 

@@ -1,11 +1,13 @@
 #include "app/bench/start_shapes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace app::bench {
+#include "app/bench/shape.hpp"
+#include "app/bench/throws.hpp"
 
-constexpr double pi = std::numbers::pi;
+namespace app::bench {
 
 std::vector<Vec3> overhand_path() {
     std::vector<Vec3> path;
@@ -20,44 +22,23 @@ std::vector<Vec3> overhand_path() {
     return path;
 }
 
-// Two strands run across one another in every throw, twisted (2 turns + 1) half turns about x, right-handed or not.
-static void append_throw(std::vector<Vec3>& strand, int turns, bool right_handed, double side, double z) {
-    constexpr double half_width = 2;
-    const double turn = (right_handed ? 1 : -1) * (2 * turns + 1) * pi;
-    const int steps = 12 * (2 * turns + 1);
-    for (int i = 0; i <= steps; ++i) {
-        const double x = side * half_width * (1 - 2.0 * i / steps);
-        const double phase = -pi / 2 + turn * (x - side * half_width) / (2 * half_width);
-        strand.emplace_back(x, std::cos(phase), z + std::sin(phase));
+std::vector<Vec3> tied_path(const std::string& notation) {
+    std::vector<sim::knot::Throw> throws;
+    for (std::size_t i = 0; i < notation.size(); i += 2) {
+        const bool other_hand = i > 0 && notation[i - 1] == '=';  // "=": the other hand; "x": the same again
+        throws.push_back({notation[i] - '0', i == 0 || throws.back().right_handed != other_hand});
     }
-}
-
-std::vector<Vec3> tied_path(const std::string& throws) {
-    std::vector<Vec3> a{{-2.5, 0, -3}}, b{{2.5, 0, -3}};
-    double side = -1, z = 0;
-    bool right_handed = true;
-    for (std::size_t i = 0; i < throws.size(); i += 2, side = -side, z += 3) {
-        if (i > 0 && throws[i - 1] == '=') right_handed = !right_handed;  // "=": the other hand; "x": the same again
-        append_throw(a, throws[i] - '0', right_handed, side, z);
-        append_throw(b, throws[i] - '0', right_handed, -side, z);
-    }
-    a.emplace_back(3 * side, 0, z + 4);
-    b.emplace_back(-3 * side, 0, z + 4);
-    if (a.back().x() > b.back().x()) std::swap(a, b);  // first to last along +x, the loop below, however many throws
-    std::vector<Vec3> path(a.rbegin(), a.rend());
-    path.emplace_back(0, 0, -6);
-    path.insert(path.end(), b.begin(), b.end());
+    std::vector<Vec3> path = tied(throws);
+    if (path.front().x() > path.back().x()) std::reverse(path.begin(), path.end());  // the loop below, however many throws
     return path;
 }
 
 std::vector<Vec3> coil_path(double turns, double radius, double pitch) {
     constexpr int points_a_turn = 48;  // a chord within 0.2 % of its arc
     const int points = static_cast<int>(std::ceil(turns * points_a_turn));
-    std::vector<Vec3> path;
-    for (int i = 0; i <= points; ++i) {
-        const double turn = turns * i / points, angle = 2 * pi * turn;
-        path.emplace_back(pitch * (turn - turns / 2), radius * std::cos(angle), radius * std::sin(angle));
-    }
+    const double piece = turns / points * std::hypot(2 * std::numbers::pi * radius, pitch);
+    std::vector<Vec3> path = coil(points, piece, radius, pitch);
+    for (Vec3& p : path) p.x() -= pitch * turns / 2;
     return path;
 }
 

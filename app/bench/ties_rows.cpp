@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/bench/gauge.hpp"
 #include "app/bench/stopwatch.hpp"
 #include "app/bench/ties.hpp"
 
@@ -23,7 +24,6 @@ std::vector<Row> ties_rows(bool quick) {
         stretch = std::max(stretch, tied.stretch);
         if (const Tie tie = tie_of(static_cast<std::uint64_t>(seed)); tie.friction == 0) left.push_back(tied.left / takes_up_when_tight(tie.knot));
     }
-    std::nth_element(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2), left.end());
     const std::string what = std::to_string(seeds) + " seeded ties of eight knots: ";
     return {{.id = "ties-passes", .what = what + "pass-throughs", .value = passes, .unit = "count", .bound = 0, .error = {},
         .seconds = watch.seconds()},
@@ -31,7 +31,7 @@ std::vector<Row> ties_rows(bool quick) {
                 .error = {}},
             {.id = "ties-slack", .what = what
                 + "without friction, what the knot takes up in the end over what it takes up tight; median",
-                .value = left[left.size() / 2],
+                .value = percentile(left, 0.5),
              .unit = "ratio", .bound = {}, .error = {}},
             {.id = "ties-stretch", .what = what + "worst link at any time", .value = stretch, .unit = "share", .bound = {},
                 .error = {}}};

@@ -43,8 +43,7 @@ static void measure_effects(const State& state, PushedRow& out) {
 }
 
 // Forward and backward through the factors of the last length solve.
-template <typename Number>
-static void substitute(const State& state, std::vector<Number>& x) {
+static void substitute(const State& state, std::vector<double>& x) {
     x[0] *= state.pivot[0];
     for (std::size_t k = 1; k < x.size(); ++k) x[k] = state.pivot[k] * (x[k] - state.lower[k] * x[k - 1]);
     for (std::size_t k = x.size() - 1; k-- > 0;) x[k] -= state.upper[k] * x[k + 1];

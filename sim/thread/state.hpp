@@ -128,7 +128,8 @@ struct State {
     std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
     double drift_way = 0;              ///< ... while held nodes or tools went this far [m].
     std::vector<Pace> paces;           ///< Of all groups together, then of each alone.
-    std::vector<Vec3> asked;           ///< Scratch: as Pace::refused.
+    std::vector<Vec3> asked;           ///< Scratch: as Pace::refused,
+    std::size_t asked_of_holds = 0;    ///< those of holds first.
     Unfinished unfinished;
     int work = 0;                      ///< Of this tick, in passes over contacts and lengths.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.

@@ -52,20 +52,28 @@ struct Movers {
     bool include(int owner) const { return group_of(owner) >= first && group_of(owner) < last; }
 };
 
+// Into `asked`: the ways that these tools would have what they hold, then their own ends, go in this tick.
+void collect_asked(State& state, const Movers& movers) {
+    state.asked.clear();
+    for (std::size_t h = 0; h < state.hold_from.size(); ++h)
+        if (movers.include(state.input.hold_owners[h])) state.asked.push_back(state.input.holds[h].target - state.hold_from[h]);
+    state.asked_of_holds = state.asked.size();
+    for (const MovingCapsule& c : state.input.capsules)
+        if (movers.include(c.owner)) state.asked.insert(state.asked.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
+}
+
 // The longest way that a held node, and a tool part, is asked to go in this tick [m].
 struct Motion {
     double of_holds = 0, of_capsules = 0;
     double most() const { return std::max(of_holds, of_capsules); }
 };
 
-Motion motion_asked(const State& state, const Movers& movers) {
+Motion longest_asked(const State& state) {
     Motion motion;
-    for (std::size_t h = 0; h < state.hold_from.size(); ++h)
-        if (movers.include(state.input.hold_owners[h]))
-            motion.of_holds = std::max(motion.of_holds, (state.input.holds[h].target - state.hold_from[h]).norm());
-    for (const MovingCapsule& c : state.input.capsules)
-        if (movers.include(c.owner))
-            motion.of_capsules = std::max({motion.of_capsules, (c.to.a - c.from.a).norm(), (c.to.b - c.from.b).norm()});
+    for (std::size_t i = 0; i < state.asked.size(); ++i) {
+        double& longest = i < state.asked_of_holds ? motion.of_holds : motion.of_capsules;
+        longest = std::max(longest, state.asked[i].norm());
+    }
     return motion;
 }
 
@@ -94,30 +102,15 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     return share;
 }
 
-// Into `asked`: the ways that these tools would have what they hold, and their own ends, go in this tick.
-void collect_asked(State& state, const Movers& movers) {
-    state.asked.clear();
-    for (std::size_t h = 0; h < state.hold_from.size(); ++h)
-        if (movers.include(state.input.hold_owners[h])) state.asked.push_back(state.input.holds[h].target - state.hold_from[h]);
-    for (const MovingCapsule& c : state.input.capsules)
-        if (movers.include(c.owner)) state.asked.insert(state.asked.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
-}
-
 bool is_much_the_same(const std::vector<Vec3>& asked, const std::vector<Vec3>& refused) {
     constexpr double change = 0.25;  // of a way: a hand that trembles asks for the same, one that gives way does not
     return std::equal(asked.begin(), asked.end(), refused.begin(), refused.end(),
                       [](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= change * change * b.squaredNorm(); });
 }
 
-bool still_asks(State& state, const Movers& movers) {
-    collect_asked(state, movers);
-    return is_much_the_same(state.asked, state.paces[movers.pace].refused);
-}
-
-bool waits(State& state, const Movers& movers, const Motion& motion) {
-    Pace& pace = state.paces[movers.pace];
+bool waits(const State& state, Pace& pace, const Motion& motion) {
     if (pace.waits == 0 || motion.most() == 0) return false;
-    if (!still_asks(state, movers)) {
+    if (!is_much_the_same(state.asked, pace.refused)) {
         pace.waits = pace.jams_in_a_row = 0;
         pace.stuck = false;
         return false;
@@ -164,7 +157,6 @@ void learn_from_refusal(State& state, const Movers& movers, double share) {
     constexpr int most_tries = 8;  // [ticks] that a knot may hold up hands which it does not let pass in the end
     Unfinished& unfinished = state.unfinished;
     Pace& pace = state.paces[movers.pace];
-    collect_asked(state, movers);
     pace.refused = state.asked;
     unfinished.tries = unfinished.pace < 0 ? 1 : unfinished.tries + 1;
     unfinished.share = share;
@@ -213,13 +205,14 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
 // Substep by substep until these tools are where they are asked to be, the thread is jammed, or the tick has cost what it
 // may: what is left then is lag, not a late tick.
 void move(State& state, const Movers& movers, int may_cost, TickReport& report) {
-    const Motion motion = motion_asked(state, movers);
+    collect_asked(state, movers);
+    const Motion motion = longest_asked(state);
     Pace& pace = state.paces[movers.pace];
     if (motion.most() == 0 && state.settled) {
         std::fill(state.progress.data() + movers.first, state.progress.data() + movers.last, 1.0);
         return;
     }
-    const bool jammed = waits(state, movers, motion);
+    const bool jammed = waits(state, pace, motion);
     if (jammed && pace.stuck) return;
     const auto arrived = [&] { return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last) >= 1; };
     while (!arrived() && state.work < may_cost && (jammed || pace.waits == 0)) {
@@ -252,7 +245,10 @@ TickReport tick(State& state, const TickInput& input) {
         const auto p = static_cast<std::size_t>(pace);
         return pace == 0 ? Movers{0, groups, 0} : Movers{p - 1, p, p};
     };
-    if (state.unfinished.pace >= 0 && !still_asks(state, movers_of(state.unfinished.pace))) state.unfinished.pace = -1;
+    if (int& pace = state.unfinished.pace; pace >= 0) {
+        collect_asked(state, movers_of(pace));
+        if (!is_much_the_same(state.asked, state.paces[static_cast<std::size_t>(pace)].refused)) pace = -1;
+    }
     const bool goes_well = groups == 1 || state.paces[0].trust > 0.25;
     for (int pace = 0; pace <= (groups > 1 ? static_cast<int>(groups) : 0); ++pace)
         if (state.unfinished.pace < 0 || state.unfinished.pace == pace)

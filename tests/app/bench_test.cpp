@@ -80,7 +80,7 @@ TEST(Bench, TheOverhandIsATrefoilOfEqualLinks) {
         ASSERT_EQ(nodes.size(), static_cast<std::size_t>(links) + 1);
         for (std::size_t i = 1; i < nodes.size(); ++i)
             ASSERT_NEAR((nodes[i] - nodes[i - 1]).norm(), link, 1e-12);  // rounding at 1 m
-        const Gauge gauge(link, link);
+        const Gauge gauge(std::vector<double>(nodes.size() - 1, link), link);
         EXPECT_GT(gauge.gap(nodes), 1.5) << "not loose";  // the nearest that count are two links apart along the rope
         EXPECT_NEAR(gauge.kappa(nodes), (1 - (nodes.back() - nodes.front()).norm()) / link, 1e-6);
         const std::string knot = sim::knot::name_knot(nodes).knot;
@@ -104,14 +104,14 @@ TEST(Bench, TheSmallestGapIsThatOfEveryPair) {
                 const auto pair = sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]);
                 least = std::min(least, std::sqrt(pair.distance_squared));
             }
-        EXPECT_EQ(Gauge(1, 1).gap(nodes), least);
+        EXPECT_EQ(Gauge(std::vector<double>(links, 1.0), 1).gap(nodes), least);
     }
 }
 
 TEST(Bench, WhatIsNoPlaceHasNoFigures) {
     std::vector<Vec3> nodes = app::bench::overhand(100, 1);
     nodes[50].x() = NAN;
-    const Gauge gauge(0.01, 0.01);
+    const Gauge gauge(std::vector<double>(100, 0.01), 0.01);
     EXPECT_TRUE(std::isnan(gauge.stretch(nodes)));
     EXPECT_TRUE(std::isnan(gauge.gap(nodes)));
 }

@@ -43,6 +43,8 @@ std::string complaint(const json& patch) {
 // The author of a scene must see where it is wrong and what would be right; whatever it is must not run as something else.
 TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
     const std::pair<json, const char*> broken[] = {
+        {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"known", "it moves"}}}}}, "/expect/0: the key \"today\" is missing"},
+        {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"today", 1}}}}}, "/expect/0: \"today\" goes with \"known\" alone"},
         {{{"id", "other"}}, "/id: expected the file's name, \"small\""},
         {{{"holdz", json::array()}}, "/holdz: unknown key, did you mean \"holds\"?"},
         {{{"case", {"X1"}}}, "/case/0: expected \"E\" or \"T\" and a number"},

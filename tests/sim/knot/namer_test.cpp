@@ -65,7 +65,7 @@ TEST(Namer, ReadsThrowsFromTheLoopOutwards) {
         {{R, L, R, L}, "1=1=1=1", "square + square + square"}};
     for (const auto& [throws, notation, surgical] : cases) {
         SCOPED_TRACE(notation);
-        const auto name = name_knot(ropes::tied(throws));
+        const auto name = name_knot(app::bench::tied(throws));
         EXPECT_EQ(name.throws, notation);
         EXPECT_EQ(name.surgical, surgical);
         EXPECT_TRUE(name.certain);
@@ -78,7 +78,7 @@ TEST(Namer, ReadsThrowsFromTheLoopOutwards) {
 
 // Two overhand knots of opposite hands further along the same thread have the type of a square knot and are none.
 TEST(Namer, KnotsOneAfterTheOtherAreNoThrows) {
-    const auto name = name_knot(joined(ropes::tied({R}), ropes::tied({L}), Vec3(20, 0, 0)));
+    const auto name = name_knot(joined(app::bench::tied({R}), app::bench::tied({L}), Vec3(20, 0, 0)));
     EXPECT_EQ(name.knot, "3_1#m3_1");
     EXPECT_EQ(name.throws, "");
 }
@@ -190,7 +190,7 @@ TEST(Namer, SeparateComponentsAreSplit) {
 
 // An open pole through a knot on a thread: the thread's loop goes round it once.
 TEST(Namer, AKnotRoundAPoleIsLinkedToIt) {
-    const auto link = name_link({{ropes::tied({R, L}), false}, {{Vec3(0, -30, -3), Vec3(0, 30, -3)}, false}});
+    const auto link = name_link({{app::bench::tied({R, L}), false}, {{Vec3(0, -30, -3), Vec3(0, 30, -3)}, false}});
     EXPECT_EQ(link.name.knot, "L2a1#3_1#m3_1");
     EXPECT_EQ(link.name.surgical, "square");
     EXPECT_EQ(link.linking_numbers, std::vector<int>{1});

@@ -32,31 +32,6 @@ std::vector<Labelled> labelled(const std::string& id) {
     return all;
 }
 
-static void append_throw(Rope& strand, sim::knot::Throw t, double side, double z) {
-    constexpr double half_width = 2.0;
-    const double turn = (t.right_handed ? 1.0 : -1.0) * (2 * t.turns + 1) * pi;
-    const int steps = 12 * (2 * t.turns + 1);
-    for (int i = 0; i <= steps; ++i) {
-        const double x = side * half_width * (1.0 - 2.0 * i / steps);
-        const double phase = -pi / 2 + turn * (x - side * half_width) / (2 * half_width);
-        strand.emplace_back(x, std::cos(phase), z + std::sin(phase));
-    }
-}
-
-Rope tied(const std::vector<sim::knot::Throw>& throws) {
-    Rope a{{0, 0, -6}, {-2.5, 0, -3}}, b{{2.5, 0, -3}};
-    double side = -1.0, z = 0.0;
-    for (const auto& t : throws) {
-        append_throw(a, t, side, z);
-        append_throw(b, t, -side, z);
-        side = -side, z += 3.0;
-    }
-    a.emplace_back(3.0 * side, 0, z + 4), b.emplace_back(-3.0 * side, 0, z + 4);
-    Rope rope(a.rbegin(), a.rend());
-    rope.insert(rope.end(), b.begin(), b.end());
-    return rope;
-}
-
 Rope torus_knot(int n) {
     Rope rope;
     for (int i = 0; i < 200; ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/throws.hpp"
 #include "sim/knot/namer.hpp"
 
 // Curves whose type is known: drawn from a formula, or read from tests/data/curves.
@@ -22,11 +23,6 @@ struct Labelled {
 
 /// All of tests/data/curves/labels.json; only the one named `id` when given.
 std::vector<Labelled> labelled(const std::string& id = "");
-
-/// A thread round a loop below, tied with the given throws from the loop upwards, both ends free at the top. Two
-/// strands run across one another in every throw, twisted (2 turns + 1) half turns about the x axis, right-handed or
-/// not.
-Rope tied(const std::vector<sim::knot::Throw>& throws);
 
 /// T(2, n), closed: on a torus, right-handed for positive n.
 Rope torus_knot(int n);

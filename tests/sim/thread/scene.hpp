@@ -4,10 +4,13 @@
 #include <numbers>
 #include <vector>
 
+#include "app/bench/hands.hpp"
+#include "app/bench/start_shapes.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace scene {
 
+using app::bench::taken_up;
 using sim::geometry::Vec3;
 using sim::thread::Hold;
 using sim::thread::Thread;
@@ -18,23 +21,11 @@ using sim::thread::TickReport;
 constexpr double radius = ThreadDef{}.radius;  // [m]
 constexpr double tick = 1e-3;                  // [s]
 
-/// An open overhand knot, loose, its ends led out straight. The curve is the long trefoil of [Shastri1992], flattened a
-/// little; `links` links of one thread thickness.
+/// An open overhand knot, loose, of `links` links of one thread thickness.
 inline std::vector<Vec3> overhand(int links = 200, double thread_radius = radius) {
-    std::vector<Vec3> path;
-    constexpr int points = 400;
-    for (int i = 0; i <= points; ++i) {
-        const double t = 2.1 * (2.0 * i / points - 1);
-        path.emplace_back(t * t * t - 3 * t, t * t * t * t - 4 * t * t, 0.25 * (t * t * t * t * t - 10 * t));
-    }
-    const auto led_out = [](const Vec3& end, const Vec3& before) {
-        return Vec3(end + 4 * (end - before).normalized());
-    };
-    path.insert(path.begin(), led_out(path[0], path[1]));
-    path.push_back(led_out(path.back(), path[path.size() - 2]));
-    double length = 0;
-    for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
-    for (Vec3& p : path) p *= 2 * thread_radius * links / length;
+    std::vector<Vec3> path = app::bench::overhand_path();
+    const double scale = 2 * thread_radius * links / app::bench::length_of(path);
+    for (Vec3& p : path) p *= scale;
     return sim::thread::resample(path, links);
 }
 
@@ -96,13 +87,6 @@ inline Worst tighten(Thread& thread, Pull& pull, double speed, int most_ticks) {
 
 inline double end_distance(const Thread& thread) {
     return (thread.nodes().back() - thread.nodes().front()).norm();
-}
-
-/// Contour length less the distance of the ends, over the thickness: the ropelength that the knot takes up.
-inline double taken_up(const Thread& thread) {
-    double length = 0;
-    for (const double rest : thread.rest_lengths()) length += rest;
-    return (length - end_distance(thread)) / (2 * thread.def().radius);
 }
 
 }  // namespace scene
