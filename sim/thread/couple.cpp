@@ -111,10 +111,11 @@ static void add_direct(State& state, std::size_t d, Eigen::Map<Table::Matrix>& r
 
 // The rows that move the thread most; what is left out is met by the passes before and after.
 static void collect(State& state) {
+    const double about_to_push = 0.05 * state.def.radius;  // of the answer's size where knots are tight
     std::vector<PushedRow>& rows = state.pushed_rows;
     rows.clear();
     for (Row& row : state.rows)
-        if ((row.normal_push > 0 || row.distance < row.target) && row.mobility > 0) rows.emplace_back(row);
+        if ((row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0) rows.emplace_back(row);
     const auto matters = [](const PushedRow& r) { return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance); };
     if (rows.size() > most_coupled) {
         std::sort(rows.begin(), rows.end(), [&](const PushedRow& a, const PushedRow& b) {
@@ -123,6 +124,14 @@ static void collect(State& state) {
         rows.erase(rows.begin() + most_coupled, rows.end());
     }
     for (PushedRow& row : rows) measure_effects(state, row);
+}
+
+static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
+    PushedRow& row = state.pushed_rows[c];
+    row.own = responses.block<3, 3>(column(c), column(c));
+    // However long the strand that must come along: all of it gives way by no less than this.
+    row.least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
+    row.mobility = std::max(row.least, row.row->normal.dot(row.own * row.row->normal));
 }
 
 // How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric: what
@@ -144,6 +153,7 @@ static void measure_responses(State& state) {
         add_direct(state, d, responses);
         for (std::size_t c = 0; c < d; ++c)
             responses.block<3, 3>(column(d), column(c)) = responses.block<3, 3>(column(c), column(d)).transpose();
+        measure_own(state, d, responses);
     }
 }
 
@@ -159,22 +169,59 @@ static Vec3 push_against(const Vec3& slip, const Vec3& normal, const Mat3& own, 
 }
 
 // One row of a sweep; returns its overlap before, 1 where it is small enough.
-static double push(State& state, std::size_t c) {
-    PushedRow& pushed = state.pushed_rows[c];
+static double push(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
+    const PushedRow& pushed = state.pushed_rows[c];
     Row& row = *pushed.row;
-    const auto responses = state.responses.resized(state.pushes.size(), state.pushes.size());
     const Vec3 apart = pushed.apart + responses.middleRows<3>(column(c)) * state.pushes;
-    const Mat3 own = responses.block<3, 3>(column(c), column(c));
-    const double overlap = over_goal(state, row, apart.dot(row.normal));
-    // However long the strand that must come along: all of it gives way by no less than this.
-    const double least = row.mobility / (10.0 * static_cast<double>(state.nodes.size()));
-    const double mobility = std::max(least, row.normal.dot(own * row.normal));
-    const Vec3 normal = add_normal_push(row, apart, mobility) * row.normal;
-    const Vec3 slip = slip_of(row, apart + own * normal);
-    const Vec3 more = normal + add_tangent_push(row, slip, push_against(slip, row.normal, own, least));
-    state.pushes.segment<3>(column(c)) += more;
-    pushed.moved = (own * more).norm();
-    return std::max(overlap, row.slip / (slip_goal * 2 * state.def.radius));
+    const double distance = apart.dot(row.normal);
+    if (distance >= row.target && row.normal_push == 0) return 0;
+    const Vec3 normal = add_normal_push(row, apart, pushed.mobility) * row.normal;
+    const Vec3 slip = slip_of(row, apart + pushed.own * normal);
+    state.pushes.segment<3>(column(c)) += normal + add_tangent_push(row, slip, push_against(slip, row.normal, pushed.own, pushed.least));
+    return std::max(over_goal(state, row, distance), row.slip / (slip_goal * 2 * state.def.radius));
+}
+
+static double sweep(State& state) {
+    const auto responses = state.responses.resized(state.pushes.size(), state.pushes.size());
+    double worst = 0;
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) worst = std::max(worst, push(state, c, responses));
+    return worst;
+}
+
+static void add_to_row(Row& row, const Vec3& push) {
+    const double normal = push.dot(row.normal);
+    row.normal_push += normal;
+    row.tangent_push += push - normal * row.normal;
+}
+
+static void go_on_by(State& state, double again) {
+    state.way *= again;
+    state.pushes += state.way;
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) add_to_row(*state.pushed_rows[c].row, state.way.segment<3>(column(c)));
+}
+
+// Where rows of a knot work against each other sweeps alone gain a little less each time, for hundreds of times. What each
+// gains is carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1], and twenty are
+// enough. A sweep is always last, so that no push leaves its cone.
+static double solve_pushes(State& state) {
+    constexpr int most_sweeps = 20;
+    constexpr double small_enough = 0.3;  // a sweep's overlap is from before it
+    double worst = 0, size_before = 0;
+    state.way.setZero(state.pushes.size());
+    for (int i = 1; i <= most_sweeps; ++i) {
+        state.pushes_before = state.pushes;
+        worst = sweep(state);
+        if (worst < small_enough) break;
+        state.gain = state.pushes - state.pushes_before;
+        const double size = state.gain.squaredNorm();
+        if (size < size_before && i < most_sweeps)
+            go_on_by(state, size / size_before);
+        else
+            state.way.setZero();
+        state.way += state.gain;
+        size_before = size;
+    }
+    return worst;
 }
 
 // A node clipped at its bound would stretch its links, which nothing here would mend: so all go as far as each may.
@@ -213,30 +260,14 @@ static void move_by_pushes(State& state) {
     const double share = share_within_bounds(state, move);
     for (std::size_t i = 0; i < move.size(); ++i) state.nodes[i] += share * move[i];
     for (std::size_t k = 0; k < change.size(); ++k) state.pulled[k] -= share * change[k];
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
-        Row& row = *state.pushed_rows[c].row;
-        const Vec3 taken_back = (1 - share) * state.pushes.segment<3>(column(c));
-        const double normal = taken_back.dot(row.normal);
-        row.normal_push -= normal;
-        row.tangent_push -= taken_back - normal * row.normal;
-    }
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c)
+        add_to_row(*state.pushed_rows[c].row, (share - 1) * state.pushes.segment<3>(column(c)));
 }
 
 double couple(State& state) {
-    constexpr int most_sweeps = 10;
-    std::vector<PushedRow>& rows = state.pushed_rows;
     collect(state);
     measure_responses(state);
-    double worst = 0;
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        double most = 0;
-        for (std::size_t c = 0; c < rows.size(); ++c) {
-            const double overlap = push(state, c);
-            if (sweep == 0) worst = std::max(worst, overlap);
-            most = std::max(most, rows[c].moved);
-        }
-        if (most < 1e-3 * state.def.radius) break;
-    }
+    const double worst = solve_pushes(state);
     move_by_pushes(state);
     return worst;
 }

@@ -20,35 +20,42 @@ static double pass(State& state, double (*contacts)(State&)) {
     return overlap;
 }
 
-// Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. Where one
-// strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole strand:
-// what a few passes have not settled is solved with contacts and lengths together. Near enough and no longer coming nearer is
-// settled too: a knot pulled tight has no more to give.
-double relax(State& state) {
-    constexpr int least_passes = 2;  // friction knows what presses after the first
-    constexpr int most_passes = 8, between_aims = 4, most_couplings = 4, work_of_coupling = 9;  // 40 rows, measured
-    double overlap = 1, was = 1;
-    const auto stands_still = [&](int passes) { return passes > least_passes && overlap < 1.2 && overlap > 0.95 * was; };
-    for (int i = 0; i < most_passes && (i < least_passes || overlap >= 1) && !stands_still(i); ++i) {
-        if (i % between_aims == 0) aim(state);
-        was = overlap;
-        overlap = pass(state, resolve_contacts);
-    }
-    const bool good_enough = stands_still(most_passes);
-    for (int i = 0; i < most_couplings && overlap >= 1 && !good_enough && state.work < most_work; ++i) {
-        state.work += work_of_coupling;
-        aim(state);
-        overlap = pass(state, couple);
-    }
-    constexpr int least_solves = 3, most_solves = 12;  // a wrap that lies on steel takes more than a knot
+// Lengths to the end, contacts no more; returns the worst violation of both, 1 where tools must wait.
+static double settle(State& state) {
+    // Newton's method on a long chain may err at first and then converges at once.
+    constexpr int least_solves = 6, most_solves = 12;  // a wrap that lies on steel takes more than a knot
     double stretch = 1, before = 2;
     for (int i = 0; i < most_solves && stretch > 0.1 * stretch_tolerance && (i < least_solves || stretch < 0.5 * before); ++i) {
         before = stretch;
         stretch = solve_lengths(state);
         clip(state);
     }
-    clip(state);
     return std::max(worst_stretch(state, state.nodes) / stretch_tolerance, aim(state));
+}
+
+// Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. Where one
+// strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole strand:
+// what a few passes have not settled is solved with contacts and lengths together. Near enough and no longer coming nearer is
+// settled too: a knot pulled tight has no more to give.
+double relax(State& state, Effort effort) {
+    constexpr int least_passes = 4;  // two know what presses; with less than four a wrap drags by half more than it should
+    constexpr int work_of_coupling = 9;  // 40 rows, measured
+    double overlap = 1, was = 1;
+    const auto stands_still = [&](int passes) { return passes > least_passes && overlap < 1.2 && overlap > 0.95 * was; };
+    int passes = 0;
+    for (; passes < effort.passes && (passes < least_passes || overlap >= 1) && !stands_still(passes); ++passes) {
+        aim(state);
+        was = overlap;
+        overlap = pass(state, resolve_contacts);
+    }
+    double violation = overlap < 1 || stands_still(passes) || effort.couplings == 0 ? settle(state) : overlap;
+    for (int i = 1; i <= effort.couplings && violation > 1 && !state.rows.empty(); ++i) {
+        state.work += work_of_coupling;
+        aim(state);
+        overlap = pass(state, couple);
+        if (overlap < 1 || i == effort.couplings) violation = settle(state);
+    }
+    return violation;
 }
 
 }  // namespace sim::thread

@@ -54,7 +54,8 @@ struct PushedRow {
     std::array<int, 8> place{};         ///< and where they are among all that rows touch.
     int links = 0;
     Vec3 apart = Vec3::Zero();          ///< Before all pushes.
-    double moved = 0;                   ///< By its last push [m].
+    Eigen::Matrix3d own = {};           ///< How its points give way to pushes on themselves,
+    double mobility = 0, least = 0;     ///< along the normal, and by how little at least.
 };
 
 /// How far one dares to go, for tools that move together.
@@ -67,7 +68,7 @@ struct Pace {
     std::vector<Vec3> refused;         ///< What was asked for when last refused: the ways of what is held and of tools [m].
 };
 
-constexpr int most_coupled = 40;        ///< Rows that are solved together with all lengths.
+constexpr int most_coupled = 64;        ///< Rows that are solved together with all lengths.
 /// A number per axis of those rows.
 template <int rows, int columns>
 using PerAxis = Eigen::Matrix<double, rows, columns, columns == 1 ? Eigen::ColMajor : Eigen::RowMajor, rows == 1 ? 1 : 3 * most_coupled,
@@ -85,8 +86,8 @@ struct Table {
     std::vector<double> room;
 };
 
-/// A substep that passes have not brought within tolerance yet. The thread stays as it was before it, tools wait, and the next
-/// passes go on from here: a hard knot takes several ticks, none of them long.
+/// A short substep that is not within tolerance yet. The thread stays as it was before it, tools wait, and the next tick goes
+/// on from here: a hard knot takes several ticks, none of them long.
 struct Unfinished {
     int pace = -1;                     ///< Of State::paces: whose it is; -1: there is none.
     double share = 0;                  ///< Of the tick's motion.
@@ -131,7 +132,8 @@ struct State {
     std::vector<Vec3> asked;           ///< Scratch: as Pace::refused,
     std::size_t asked_of_holds = 0;    ///< those of holds first.
     Unfinished unfinished;
-    int work = 0;                      ///< Of this tick, in passes over contacts and lengths.
+    int work = 0;                      ///< Of this tick, in passes over contacts and lengths,
+    int wasted = 0;                    ///< and how much of it on answers that were refused.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
 
@@ -142,6 +144,7 @@ struct State {
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
     std::vector<PushedRow> pushed_rows;  ///< Scratch of coupling.
     PerAxis<Eigen::Dynamic, 1> pushes;   ///< Of all those rows.
+    PerAxis<Eigen::Dynamic, 1> pushes_before, gain, way;  ///< As a sweep began, what it gained, and where sweeps lead.
     Table responses;                     ///< How far their points move apart for unit pushes.
     Table effects, answers;              ///< Of unit pushes on lengths, and of the lengths' multipliers.
     PerAxis<1, Eigen::Dynamic> answer_from_left;
@@ -175,6 +178,10 @@ constexpr double bound_share = 0.45;           ///< Two neighbours that each use
 /// Where strands are jammed in each other and no answer is found for them, what presses stays where it is and the slack
 /// around it answers: a knot pulled tight must not hold up the hands that let go of it.
 enum class Answer { drift, follow_the_leader, keep_what_presses, go_on };
+/// What an answer may cost at most: passes over contacts and lengths in turn, then solves of both together.
+struct Effort {
+    int passes, couplings;
+};
 struct Substep {
     bool accepted = false;
     double over_bound = 0;
@@ -183,7 +190,7 @@ struct Substep {
 /// Moves tools and held nodes to where they are at `progress`, by at most `way` [m], and lets the thread answer. Undone
 /// unless the result is within tolerance or no worse than what was there: so a thread that cannot follow stays as it is
 /// and the tools wait (substep.cpp).
-Substep attempt(State& state, double way, Answer answer);
+Substep attempt(State& state, double way, Answer answer, Effort effort);
 void place_capsules(State& state);
 /// Of any capsule's end, since capsules_before [m].
 double largest_capsule_move(const State& state);
@@ -207,8 +214,8 @@ void measure_gaps(State& state, double way);
 double aim(State& state);
 /// One pass over all rows with friction; returns the worst overlap found before it, 1 where it is small enough.
 double resolve_contacts(State& state);
-/// All rows that push, together with all lengths; returns the worst overlap found before it, 1 where it is small enough
-/// (couple.cpp).
+/// All rows that push, together with all lengths; returns the worst overlap that its linear model expects to be left, 1 where
+/// it is small enough (couple.cpp).
 double couple(State& state);
 /// What passes stop for: strands into each other's skin by `strand_goal`, thread into steel or a wall by a tenth of its
 /// thickness, which is out of sight.
@@ -234,7 +241,7 @@ void limit_bends(State& state);
 
 /// Contacts and lengths in turn until neither is violated; returns the worst violation left, 1 where tools must wait
 /// (relax.cpp).
-double relax(State& state);
+double relax(State& state, Effort effort);
 /// No node leaves its bound, whatever stage moved it.
 void clip(State& state);
 

@@ -47,7 +47,8 @@ static void begin_answer(State& state, double way, Answer answer) {
         row.tangent_push.setZero();
     }
     if (answer == Answer::drift && state.drift_way > 0) {
-        const double share = 0.9 * std::min(2.0, way / state.drift_way);
+        constexpr double going_on = 0.95;  // less drags on what slides, more lets it slide on by itself: knots untie
+        const double share = going_on * std::min(4.0, way / state.drift_way);
         for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
     }
     place_held(state);
@@ -55,7 +56,7 @@ static void begin_answer(State& state, double way, Answer answer) {
     if (answer == Answer::follow_the_leader) follow_leader(state);
 }
 
-static double try_answer(State& state, double way, Answer answer) {
+static double try_answer(State& state, double way, Answer answer, Effort effort) {
     if (answer == Answer::go_on) {
         state.nodes = state.unfinished.nodes;
         place_held(state);
@@ -63,7 +64,7 @@ static double try_answer(State& state, double way, Answer answer) {
         begin_answer(state, way, answer);
     }
     clip(state);
-    return relax(state);
+    return relax(state, effort);
 }
 
 static double largest_move(const State& state) {
@@ -81,7 +82,7 @@ static double largest_move_over_bound(const State& state) {
     return worst;
 }
 
-Substep attempt(State& state, double way, Answer answer) {
+Substep attempt(State& state, double way, Answer answer, Effort effort) {
     double was = worst_stretch(state, state.nodes) / stretch_tolerance;
     for (const Row& row : state.rows) was = std::max(was, over_limit(state, row));
     state.before = state.nodes;
@@ -89,7 +90,7 @@ Substep attempt(State& state, double way, Answer answer) {
     place_capsules(state);
     Substep result;
     if (answer == Answer::keep_what_presses) keep_what_presses(state);
-    result.accepted = try_answer(state, way, answer) <= std::max(1.0, was);
+    result.accepted = try_answer(state, way, answer, effort) <= std::max(1.0, was);
     let_go_of_kept(state);
     if (!result.accepted) {
         state.unfinished.nodes = state.nodes;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim/thread/state.hpp"
 
@@ -33,6 +34,7 @@ void begin(State& state, const TickInput& input) {
     }
     for (Pace& pace : state.paces) pace.refused.reserve(input.holds.size() + 2 * input.capsules.size());
     state.work = 0;
+    state.wasted = 0;
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
     state.hold_from.clear();
     for (const Hold& hold : input.holds) {
@@ -79,15 +81,19 @@ Motion longest_asked(const State& state) {
 
 constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jammed thread is still asked to make
 
-// Share of the whole tick's motion that one substep may make: no held node farther than its own bound, no tool part into
-// the thread by more than the thread's radius.
+// How far a node is expected to go when held nodes go a unit's way: as in the last substep, be it slack or taut there. No
+// farther than its leader while links keep their length, and by a quarter at least: it may come to be pulled.
+double following(const State& state, std::size_t node) {
+    return state.drift_way > 0 ? std::clamp((state.drift[node] + state.carried[node]).norm() / state.drift_way, 0.25, 1.0) : 1;
+}
+
+// Share of the whole tick's motion that one substep may make: no node farther than its own bound, no tool part into the
+// thread by more than the thread's radius.
 double admissible_share(const State& state, const Movers& movers, const Motion& motion) {
+    constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
     double share = 1;
-    double least_bound = state.reach;
-    for (const double bound : state.bound) least_bound = std::min(least_bound, bound);
-    // Followers move no farther than their leader while links keep their length; a third is left for what contacts add.
-    constexpr double for_leading = 0.7;
-    if (motion.of_holds > 0) share = std::min(share, for_leading * least_bound / motion.of_holds);
+    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
+        share = std::min(share, for_following * state.bound[i] / (following(state, i) * motion.of_holds));
     // A tool part that was out of reach may come as near as its reach, no nearer, before we look again.
     const double unseen = std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius);
     if (motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
@@ -102,10 +108,12 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     return share;
 }
 
+// A hand that trembles or pulls harder asks for the same, one that turns or stops does not.
 bool is_much_the_same(const std::vector<Vec3>& asked, const std::vector<Vec3>& refused) {
-    constexpr double change = 0.25;  // of a way: a hand that trembles asks for the same, one that gives way does not
-    return std::equal(asked.begin(), asked.end(), refused.begin(), refused.end(),
-                      [](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= change * change * b.squaredNorm(); });
+    constexpr double turn = 0.25;  // [rad]
+    return std::equal(asked.begin(), asked.end(), refused.begin(), refused.end(), [](const Vec3& a, const Vec3& b) {
+        return (a.stableNormalized() - b.stableNormalized()).squaredNorm() <= turn * turn;
+    });
 }
 
 bool waits(const State& state, Pace& pace, const Motion& motion) {
@@ -119,9 +127,9 @@ bool waits(const State& state, Pace& pace, const Motion& motion) {
     return true;
 }
 
-// What is jammed is tried again after 1, 3, 7 ... ticks, a tenth of a second at last: nothing has changed meanwhile.
+// What is jammed is tried again after 1, 3, 7 ... ticks, a second at last: nothing has changed meanwhile.
 void trust_less(Pace& pace) {
-    constexpr int longest = 7;
+    constexpr int longest = 10;
     ++pace.refused_in_a_row;
     if (pace.trust <= least_trust) pace.waits = (1 << std::min(++pace.jams_in_a_row, longest)) - 1;
     pace.trust = std::max(least_trust, pace.trust / 4);
@@ -135,7 +143,7 @@ void trust_more(Pace& pace, bool was_easy) {
 
 // The thread has moved: what it refused a while ago it may grant now.
 void wake(State& state) {
-    constexpr int longest = 7;  // [ticks]
+    constexpr int longest = 31;  // [ticks]
     for (Pace& pace : state.paces) {
         pace.waits = std::min(pace.waits, longest);
         pace.stuck = false;
@@ -151,21 +159,34 @@ bool is_at_rest(const State& state, const Motion& motion) {
     return std::all_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return over_goal(state, row, row.distance) < 1; });
 }
 
-// A step that is refused is dared shorter. The shortest one is gone on with: what passes of one tick have not settled those of
-// the next ones often do.
+// Steps so short are worked at for several ticks.
+bool creeps(const Pace& pace) { return pace.trust < 0.125; }
+
+Effort effort(const Pace& pace, Answer answer) {
+    constexpr int passes = 8;
+    if (answer == Answer::keep_what_presses) return {passes, 0};
+    return {passes, creeps(pace) ? 1 : 2};
+}
+
+// A step that is refused is dared shorter, unless one goes on with it in the next tick.
 void learn_from_refusal(State& state, const Movers& movers, double share) {
-    constexpr int most_tries = 8;  // [ticks] that a knot may hold up hands which it does not let pass in the end
+    constexpr int most_tries = 12;  // [ticks] that a knot may hold up hands which it does not let pass in the end
     Unfinished& unfinished = state.unfinished;
     Pace& pace = state.paces[movers.pace];
     pace.refused = state.asked;
     unfinished.tries = unfinished.pace < 0 ? 1 : unfinished.tries + 1;
     unfinished.share = share;
-    if (pace.trust <= least_trust && unfinished.tries < most_tries) {
+    if (creeps(pace) && !state.rows.empty() && unfinished.tries < most_tries) {
         unfinished.pace = static_cast<int>(movers.pace);
     } else {
         unfinished.pace = -1;
         trust_less(pace);
     }
+}
+
+// Share of its motion that the least advanced of these tools has made in this tick.
+double progress_of(const State& state, const Movers& movers) {
+    return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last);
 }
 
 // Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the slack
@@ -176,24 +197,30 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
     const bool is_known = !look_around(state, motion.most()) && state.unfinished.pace == static_cast<int>(movers.pace);
     if (!is_known) {
         state.unfinished.pace = -1;
-        measure_gaps(state, motion.most());
+        // Jammed, what hands ask for grows and grows; what a short step does not reach need not be looked at.
+        measure_gaps(state, creeps(pace) ? std::min(motion.most(), 0.5 * state.def.radius) : motion.most());
         state.work += work_of_looking;
     }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     if (is_at_rest(state, motion)) return false;
-    const auto admissible = [&] { return motion.most() > 0 ? admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust) : 1; };
-    const double share = is_known ? state.unfinished.share : admissible();
+    // Steps alike, no short one last: each says how the thread goes on in the next.
+    const auto step_share = [&] {
+        const double left = 1 - progress_of(state, movers), most = admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust);
+        return motion.most() > 0 ? left / std::ceil(left / most) : 1;
+    };
+    const double share = is_known ? state.unfinished.share : step_share();
     const Answer answer = jammed ? Answer::keep_what_presses : is_known ? Answer::go_on : next_answer(pace);
     const int work_before = state.work;
     state.progress_before = state.progress;
     for (std::size_t g = movers.first; g < movers.last; ++g) state.progress[g] = std::min(1.0, state.progress[g] + share);
-    const Substep step = attempt(state, share * motion.most(), answer);
+    const Substep step = attempt(state, share * motion.most(), answer, effort(pace, answer));
     if (step.accepted) {
         state.unfinished.pace = -1;
         if (!jammed) trust_more(pace, !is_known && state.work - work_before <= easy_work);
         if (!state.settled) wake(state);
     } else {
         state.progress = state.progress_before;
+        state.wasted += state.work - work_before;
         if (!jammed) learn_from_refusal(state, movers, share);
     }
     ++report.substeps;
@@ -205,6 +232,7 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
 // Substep by substep until these tools are where they are asked to be, the thread is jammed, or the tick has cost what it
 // may: what is left then is lag, not a late tick.
 void move(State& state, const Movers& movers, int may_cost, TickReport& report) {
+    constexpr int most_wasted = 10;  // a tick solves contacts and lengths together once in vain, not more
     collect_asked(state, movers);
     const Motion motion = longest_asked(state);
     Pace& pace = state.paces[movers.pace];
@@ -214,8 +242,7 @@ void move(State& state, const Movers& movers, int may_cost, TickReport& report) 
     }
     const bool jammed = waits(state, pace, motion);
     if (jammed && pace.stuck) return;
-    const auto arrived = [&] { return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last) >= 1; };
-    while (!arrived() && state.work < may_cost && (jammed || pace.waits == 0)) {
+    while (progress_of(state, movers) < 1 && state.work < may_cost && state.wasted < most_wasted) {
         const bool accepted = substep(state, movers, motion, jammed, report);
         if (jammed && !accepted) {
             pace.stuck = true;

@@ -90,20 +90,17 @@ nlohmann::json expect_tied(const std::string& drill, const std::string& knot, co
 // Two wraps in one throw: three times as much thread rubs on itself while it is drawn flat. The longest test of all under
 // the sanitizers, and the first here because the first is started first.
 TEST(Drills, SurgeonsIsTiedNamedAndReplayed) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "takes six minutes under the sanitizers, where the square and the granny knot take the same ways";
-#endif
-    expect_tied("surgeons-knot", "surgeon's", "2=1", true, "3128476a7ac485fc");
+    expect_tied("surgeons-knot", "surgeon's", "2=1", true, "849432b2b7436c92");
 }
 
 TEST(Drills, SquareIsTiedNamedAndReplayed) {
-    expect_tied("square-knot", "square", "1=1", true, "97f2c28c8b223754");
+    expect_tied("square-knot", "square", "1=1", true, "a9af63851a86d1c8");
     expect_tampering_is_found("square-knot");
 }
 
 // The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips.
 TEST(Drills, GrannyFailsItsGoalAndSaysWhy) {
-    const auto result = expect_tied("granny-knot", "granny", "1x1", false, "8e481f8b7ab2804e");
+    const auto result = expect_tied("granny-knot", "granny", "1x1", false, "aa1afa609e4aa5a0");
     for (const auto& item : result["items"])
         if (item["name"] == "knot") {
             EXPECT_NE(item["why"].get<std::string>().find("granny"), std::string::npos);
