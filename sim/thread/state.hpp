@@ -128,6 +128,7 @@ struct State {
     const void* seen_surface = nullptr;
     std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
     double drift_way = 0;              ///< ... while held nodes or tools went this far [m].
+    std::vector<double> following;     ///< Per node: of that way, how much it went, drift and all.
     std::vector<Pace> paces;           ///< Of all groups together, then of each alone.
     std::vector<Vec3> asked;           ///< Scratch: as Pace::refused,
     std::size_t asked_of_holds = 0;    ///< those of holds first.
@@ -159,7 +160,6 @@ struct State {
     mutable std::vector<int> audit_found;
 };
 
-
 constexpr int most_work = 54;                  ///< Of a tick, in passes: what is left then is lag.
 
 // Tolerances, as shares of the thread's own sizes.
@@ -176,7 +176,7 @@ constexpr double bound_share = 0.45;           ///< Two neighbours that each use
 /// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread as
 /// if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
 /// Where strands are jammed in each other and no answer is found for them, what presses stays where it is and the slack
-/// around it answers: a knot pulled tight must not hold up the hands that let go of it.
+/// around it answers: a knot pulled tight must not hold up the hands that let go of it. What is unfinished is gone on with.
 enum class Answer { drift, follow_the_leader, keep_what_presses, go_on };
 /// What an answer may cost at most: passes over contacts and lengths in turn, then solves of both together.
 struct Effort {

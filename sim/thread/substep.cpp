@@ -99,7 +99,11 @@ Substep attempt(State& state, double way, Answer answer, Effort effort) {
         aim(state);  // rows are as near as they were
         return result;
     }
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.drift[i] = state.nodes[i] - state.before[i] - state.carried[i];
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        const Vec3 moved = state.nodes[i] - state.before[i];
+        state.drift[i] = moved - state.carried[i];
+        state.following[i] = way > 0 ? moved.norm() / way : 1;
+    }
     state.drift_way = way;
     const double moved = largest_move(state);
     state.moved += moved;

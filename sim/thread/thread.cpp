@@ -36,6 +36,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
       before(nodes),
       bound(nodes.size(), 0.0),
       drift(nodes.size(), Vec3::Zero()),
+      following(nodes.size(), 1.0),
       tension(rest.size(), 0.0),
       tree(static_cast<int>(rest.size())),
       unit(rest.size()),
@@ -88,6 +89,7 @@ std::uint64_t Thread::hash() const {
     for (const Vec3& p : impl_->state.drift)
         for (int c = 0; c < 3; ++c) add(p[c]);
     for (const Contact& c : impl_->state.contacts) add(c.measured - 2 * c.measured_at);
+    for (const double share : impl_->state.following) add(share);
     add(impl_->state.moved);
     add(impl_->state.drift_way);
     for (const Pace& pace : impl_->state.paces) {

@@ -81,19 +81,14 @@ Motion longest_asked(const State& state) {
 
 constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jammed thread is still asked to make
 
-// How far a node is expected to go when held nodes go a unit's way: as in the last substep, be it slack or taut there. No
-// farther than its leader while links keep their length, and by a quarter at least: it may come to be pulled.
-double following(const State& state, std::size_t node) {
-    return state.drift_way > 0 ? std::clamp((state.drift[node] + state.carried[node]).norm() / state.drift_way, 0.25, 1.0) : 1;
-}
-
 // Share of the whole tick's motion that one substep may make: no node farther than its own bound, no tool part into the
-// thread by more than the thread's radius.
+// thread by more than the thread's radius. A node is expected to go as far as in the last substep, for slack stays slack; no
+// farther than its leader while links keep their length, and by a quarter of that at least: it may come to be pulled.
 double admissible_share(const State& state, const Movers& movers, const Motion& motion) {
     constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
     double share = 1;
     for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
-        share = std::min(share, for_following * state.bound[i] / (following(state, i) * motion.of_holds));
+        share = std::min(share, for_following * state.bound[i] / (std::clamp(state.following[i], 0.25, 1.0) * motion.of_holds));
     // A tool part that was out of reach may come as near as its reach, no nearer, before we look again.
     const double unseen = std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius);
     if (motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
