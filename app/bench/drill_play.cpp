@@ -53,7 +53,8 @@ struct Device {
 // What of the session's worst is of this tick cannot be told apart; each frame carries the worst so far.
 Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before) {
     Frame frame;
-    frame.nodes.assign(world.thread().begin(), world.thread().end());
+    // As many as at first, in the same places along the thread, though its links change: so that two ways can be compared.
+    frame.nodes = sim::thread::resample(world.thread(), world.def().thread.links);
     for (const auto& tool : world.tools()) {
         for (const auto& part : instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw)) frame.tools.push_back(part);
         if (!tool.grasps.empty()) frame.lag = std::max(frame.lag, (tool.asked.pose.position - tool.now.pose.position).norm());

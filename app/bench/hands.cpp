@@ -18,7 +18,20 @@ void Hands::grasp(const Thread& thread, int hand, int node) {
     hands[static_cast<std::size_t>(hand)] = {node, thread.nodes()[static_cast<std::size_t>(node)]};
 }
 
+bool Hands::fit_links(Thread& thread) {
+    std::array<int, 2> held{};
+    std::size_t count = 0;
+    for (const Hand& hand : hands)
+        if (hand.node >= 0) held[count++] = hand.node;
+    if (!thread.fit_links({held.data(), count})) return false;
+    count = 0;
+    for (Hand& hand : hands)
+        if (hand.node >= 0) hand.node = held[count++];
+    return true;
+}
+
 TickReport Hands::move(Thread& thread, const Vec3& by0, const Vec3& by1) {
+    fit_links(thread);
     const std::array by{by0, by1};
     const Hold none{0, Vec3::Zero()};
     std::array holds{none, none};

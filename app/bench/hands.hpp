@@ -25,7 +25,10 @@ struct Hands {
     void let_go(int hand) { hands[static_cast<std::size_t>(hand)].node = -1; }
     bool holds(int hand) const { return hands[static_cast<std::size_t>(hand)].node >= 0; }
 
-    /// One tick; hand 0 and 1 try to go by these ways [m].
+    /// Thread::fit_links, and hands find what they hold by its new numbers.
+    bool fit_links(Thread& thread);
+
+    /// fit_links and one tick; hand 0 and 1 try to go by these ways [m].
     TickReport move(Thread& thread, const Vec3& by0, const Vec3& by1);
 
     std::array<Hand, 2> hands;

@@ -10,6 +10,7 @@ Suite speed_suite(bool quick, const Progress& progress) {
     add_pulls(suite, quick, progress);
     add_growth(suite, quick, progress);
     add_trade_off(suite, quick, progress);
+    add_fitted(suite, progress);
     return suite;
 }
 

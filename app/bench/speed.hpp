@@ -16,6 +16,8 @@ void add_pulls(Suite& suite, bool quick, const Progress& progress);
 void add_growth(Suite& suite, bool quick, const Progress& progress);
 /// The overhand pull over link length and tick (trade_off.cpp).
 void add_trade_off(Suite& suite, bool quick, const Progress& progress);
+/// Links halved where they are needed against short ones everywhere (fitted.cpp).
+void add_fitted(Suite& suite, const Progress& progress);
 /// A figure without a bound.
 inline Row told(std::string id, std::string what, double value, std::string unit, double seconds) {
     Row row;

@@ -2,6 +2,7 @@
 
 #include "app/bench/hands.hpp"
 #include "app/bench/laws.hpp"
+#include "app/bench/loop.hpp"
 #include "app/bench/stopwatch.hpp"
 #include "sim/knot/namer.hpp"
 
@@ -9,50 +10,9 @@ namespace app::bench {
 
 namespace {
 
-using sim::thread::Hold;
-
 constexpr double tick = 1e-3;             // [s]
 constexpr double step = 0.02e-3;          // [m] a tick, 20 mm/s: asked of each hand for ever
 constexpr double diameter = 2 * ThreadDef{}.radius;
-constexpr double deep = 25;                // of the loop, where the throws are 2 wide: some 70 D of thread hang below the knot
-
-// A thread with a knot above a loop, and the four places where it is held.
-struct Loop {
-    Loop(Knot knot, double friction) : thread({.friction = friction}, loose_thread(looped(knot, deep), 60, diameter,
-        0.5 * diameter).nodes) {
-        const auto nodes = thread.nodes();
-        last = static_cast<int>(nodes.size()) - 1;
-        // Sides: where the thread from its lowest node upwards has come nine tenths of the way to the knot.
-        double low = 1e300;
-        for (const Vec3& p : nodes) low = std::min(low, p.z());
-        left = right = last / 2;
-        const double knot_at = low * 3 / (3 + deep), level = low + 0.9 * (knot_at - low);
-        while (nodes[static_cast<std::size_t>(left)].z() < level) --left;
-        while (nodes[static_cast<std::size_t>(right)].z() < level) ++right;
-    }
-
-    Vec3 at(int node) const { return thread.nodes()[static_cast<std::size_t>(node)]; }
-    double apart() const { return (at(right) - at(left)).norm() / diameter; }
-
-    // The sides stay, the tails are pulled apart.
-    TickReport pull_tails() {
-        const Vec3 on = step * (at(last) - at(0)).normalized();
-        const Hold holds[] = {{0, at(0) - on}, {left, at(left)}, {right, at(right)}, {last, at(last) + on}};
-        const int owners[] = {0, 2, 3, 1};
-        return thread.tick({holds, owners, {}, nullptr});
-    }
-
-    // The tails are free, the sides are pulled apart.
-    TickReport pull_sides() {
-        const Vec3 on = step * (at(right) - at(left)).normalized();
-        const Hold holds[] = {{left, at(left) - on}, {right, at(right) + on}};
-        const int owners[] = {0, 1};
-        return thread.tick({holds, owners, {}, nullptr});
-    }
-
-    Thread thread;
-    int left = 0, right = 0, last = 0;
-};
 
 std::string name_of(const Thread& thread) { return sim::knot::name_knot({thread.nodes().begin(), thread.nodes().end()}).knot; }
 
@@ -60,14 +20,14 @@ std::string name_of(const Thread& thread) { return sim::knot::name_knot({thread.
 
 Held hold_knot(Knot knot, double friction, double seconds) {
     constexpr int tying = 1000;
-    Loop loop(knot, friction);
+    Loop loop({.friction = friction}, loose_thread(looped(knot, loop_depth), 60, diameter, 0.5 * diameter).nodes);
     Held held;
-    for (int i = 0; i < tying; ++i) held.pass_throughs += loop.pull_tails().pass_throughs;
+    for (int i = 0; i < tying; ++i) held.pass_throughs += loop.pull_tails(step).pass_throughs;
     const int ticks = static_cast<int>(seconds / tick);
     const double start = loop.apart();
     double settled = start;
     for (int i = 0; i < ticks; ++i) {
-        held.pass_throughs += loop.pull_sides().pass_throughs;
+        held.pass_throughs += loop.pull_sides(step).pass_throughs;
         if (i == ticks / 10) settled = loop.apart();
     }
     held.slip = loop.apart() - settled;

@@ -132,6 +132,11 @@ class Reader {
         if (thread.length / thread.links < thread.diameter)
             document_.fail("/thread/links", "links would be shorter than the thread is thick, expected at most " +
                                                 std::to_string(static_cast<int>(thread.length / thread.diameter)));
+        fallback("shortest_link_mm", 1e3 * thread.diameter);
+        thread.shortest_link = metres(entry["shortest_link_mm"]);
+        if (thread.shortest_link > 0 && thread.shortest_link < thread.diameter)
+            document_.fail("/thread/shortest_link_mm", "links would be shorter than the thread is thick, expected 0 or at least " +
+                                                           shown(1e3 * thread.diameter));
         read_start(entry);
     }
 

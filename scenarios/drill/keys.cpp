@@ -78,6 +78,9 @@ Shape thread() {
          {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false, 0.15},
          {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false, 0.15},
          {"links", count("Straight pieces the thread is cut into.", 2, 5000), false, 300},
+         {"shortest_link_mm",
+          quantity("Where the thread bends or touches itself links are halved, down to this, and joined again where it is straight; 0: never. "
+                   "Default: diameter_mm.", 0, 1000, "mm")},
          {"mover", choice("How the thread is moved.", {"ftl"}, "this version has one way to move a thread, "), false,
           "ftl"},
          {"start_mm",

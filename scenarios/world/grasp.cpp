@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "scenarios/world/world.hpp"
 
@@ -101,7 +102,7 @@ void World::take_hold(Tool& tool) {
         Grasp grasp{from, to - from + 1, {}};
         for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
         tool.grasps.push_back(grasp);
-        log("grasp", tool.def.name, 1e3 * grasp.middle() * def_.thread.length / last);
+        log("grasp", tool.def.name, 1e3 * std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
         ++measures_.grasps[static_cast<std::size_t>(&tool - tools_.data())];
         i = to;
     }

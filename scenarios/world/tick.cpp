@@ -5,6 +5,7 @@ namespace scenarios::world {
 void World::tick(std::span<const ToolInput> inputs) {
     ++ticks_;
     move_instruments(inputs);
+    fit_links();
     update_grasps();
     const sim::thread::TickReport report = move_thread();
     let_tools_wait();
@@ -40,6 +41,21 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
     }
+}
+
+// Links where they are needed; what is held is found again by its new numbers.
+void World::fit_links() {
+    held_.clear();
+    for (const Tool& tool : tools_)
+        for (const Grasp& grasp : tool.grasps)
+            for (int k = 0; k < grasp.count; ++k) held_.push_back(grasp.first + k);
+    if (!thread_.fit_links(held_)) return;
+    std::size_t next = 0;
+    for (Tool& tool : tools_)
+        for (Grasp& grasp : tool.grasps) {
+            grasp.first = held_[next];
+            next += static_cast<std::size_t>(grasp.count);
+        }
 }
 
 // Grasped nodes go where their tool goes; what they lack of where it is commanded to be, with nothing but thread in its

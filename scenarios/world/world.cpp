@@ -17,7 +17,8 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
         path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
         left -= length;
     }
-    return {{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section}, sim::thread::resample(path, def.links)};
+    return {{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link},
+            sim::thread::resample(path, def.links)};
 }
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
@@ -34,6 +35,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     measures_.path_mm.assign(tools, 0);
     measures_.grasps.assign(tools, 0);
     measures_.lag_max_mm.assign(tools, {});
+    held_.reserve(16 * tools);
     holds_.reserve(16 * tools);
     hold_owners_.reserve(16 * tools);
     capsules_.reserve(instruments::part_count * tools);

@@ -77,6 +77,7 @@ class World {
 
   private:
     void move_instruments(std::span<const ToolInput> inputs);
+    void fit_links();
     void update_grasps();
     sim::thread::TickReport move_thread();
     void let_tools_wait();
@@ -98,6 +99,7 @@ class World {
     sim::geometry::TriangleTree surface_;
     instruments::Bench bench_;
     std::vector<Tool> tools_;
+    std::vector<int> held_;                        // nodes; scratch
     std::vector<sim::thread::Hold> holds_;         // of this tick
     std::vector<int> hold_owners_;
     std::vector<sim::thread::MovingCapsule> capsules_;

@@ -16,7 +16,10 @@ class LinkTree {
   public:
     static constexpr int leaf_links = 4;
 
-    explicit LinkTree(int links);
+    explicit LinkTree(int most_links);
+
+    /// So many links there are from now on, no more than at first. Allocates nothing.
+    void resize(int links);
 
     /// Boxes of the links between consecutive `nodes`, without radius.
     void refit(std::span<const Vec3> nodes);
@@ -42,10 +45,16 @@ class LinkTree {
     std::vector<std::pair<int, int>> stack_;
 };
 
-inline LinkTree::LinkTree(int links) : links_(links), leaves_((links + leaf_links - 1) / leaf_links), width_(1) {
-    while (width_ < leaves_) width_ *= 2;
-    boxes_.resize(static_cast<std::size_t>(2 * width_));
+inline LinkTree::LinkTree(int most_links) {
+    resize(most_links);
     stack_.reserve(256);
+}
+
+inline void LinkTree::resize(int links) {
+    links_ = links;
+    leaves_ = (links + leaf_links - 1) / leaf_links;
+    for (width_ = 1; width_ < leaves_;) width_ *= 2;
+    boxes_.resize(static_cast<std::size_t>(2 * width_));
 }
 
 inline void LinkTree::refit(std::span<const Vec3> nodes) {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
@@ -117,8 +120,11 @@ double aim(State& state) {
 }
 
 // A round thread cannot bend tighter than its own radius. Two links of length l that turn by the angle a go round a
-// circle of radius l / (2 tan(a/2)), so their outer ends stay at least 2 l cos(a/2) apart.
-double least_span(double l, double radius) { return 2 * l * radius / std::sqrt(radius * radius + 0.25 * l * l); }
+// circle of radius l / (2 tan(a/2)), so their outer ends stay at least 2 l cos(a/2) apart; what one is longer comes on top.
+double least_span(double a, double b, double radius) {
+    const double l = std::min(a, b);
+    return 2 * l * radius / std::sqrt(radius * radius + 0.25 * l * l) + std::abs(a - b);
+}
 
 void limit_bends(State& state) {
     for (std::size_t i = 1; i < state.rest.size(); ++i) {

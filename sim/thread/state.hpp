@@ -97,6 +97,8 @@ struct Unfinished {
 
 struct State {
     State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes);
+    /// Everything that there is one of per node or link and that no tick hands on to the next. Allocates nothing.
+    void size_for_links();
 
     int links() const { return static_cast<int>(rest.size()); }
 
@@ -104,6 +106,8 @@ struct State {
     std::vector<Vec3> nodes;
     std::vector<double> rest;          ///< [m]
     std::vector<double> arc;           ///< Per node: length of thread before it [m].
+    double longest_link;               ///< When the thread was made [m].
+    std::vector<double> nearest;       ///< Scratch: per link, distance of the nearest strand in thicknesses.
 
     std::vector<double> least_span;    ///< Per inner node: least distance of its neighbours, by the thread's thickness [m].
 
@@ -234,8 +238,8 @@ Vec3 slip_of(const Row& row, const Vec3& apart);
 Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted);
 /// Overlap of a row, 1 where tools must wait: strands that touch, for there topology is at stake; a thread a fifth in steel.
 double over_limit(const State& state, const Row& row);
-/// The least distance [m] between the outer ends of two links of length `l` [m] that turn about a thread of `radius` [m].
-double least_span(double l, double radius);
+/// The least distance [m] between the outer ends of links of lengths `a` and `b` [m] that turn about a thread of `radius` [m].
+double least_span(double a, double b, double radius);
 /// Keeps every bend no tighter than that.
 void limit_bends(State& state);
 
@@ -247,6 +251,10 @@ void clip(State& state);
 
 /// Pass-throughs between `before` and `nodes`, found without using contacts or bounds (audit.cpp).
 int audit(const State& state);
+
+/// Halves links that bend or touch and joins straight ones, by ThreadDef::shortest_link, each time the thread has moved by its
+/// own radius; whether any changed (links.cpp).
+bool fit_links(State& state, std::span<int> held);
 
 /// Tension estimate of every link from how far the held nodes lag behind their targets (tension.cpp).
 void estimate_tension(State& state);

@@ -1,5 +1,6 @@
 #include "sim/thread/thread.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -14,48 +15,52 @@ static std::vector<double> lengths_of(const std::vector<Vec3>& nodes) {
     return lengths;
 }
 
-static std::vector<double> arc_of(const std::vector<double>& rest) {
-    std::vector<double> arc{0};
-    for (const double length : rest) arc.push_back(arc.back() + length);
-    return arc;
-}
-
-static std::vector<double> spans_of(const std::vector<double>& rest, double radius) {
-    std::vector<double> spans(rest.size(), 0.0);
-    for (std::size_t i = 1; i < rest.size(); ++i) spans[i] = least_span(0.5 * (rest[i - 1] + rest[i]), radius);
-    return spans;
+// So many links there are at most.
+static std::size_t most_links(const ThreadDef& def, const std::vector<double>& rest) {
+    if (def.shortest_link <= 0) return rest.size();
+    double length = 0;
+    for (const double link : rest) length += link;
+    return rest.size() + static_cast<std::size_t>(1.5 * length / def.shortest_link);  // none is shorter by more than the root of two
 }
 
 State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     : def(thread_def),
       nodes(std::move(start_nodes)),
       rest(lengths_of(nodes)),
-      arc(arc_of(rest)),
-      least_span(spans_of(rest, def.radius)),
-      inverse_mass(nodes.size(), 1.0),
-      before(nodes),
-      bound(nodes.size(), 0.0),
+      longest_link(1.001 * *std::max_element(rest.begin(), rest.end())),  // equal ones differ by rounding
       drift(nodes.size(), Vec3::Zero()),
       following(nodes.size(), 1.0),
       tension(rest.size(), 0.0),
-      tree(static_cast<int>(rest.size())),
-      unit(rest.size()),
-      lower(rest.size()), pivot(rest.size()), upper(rest.size()),
-      multiplier(rest.size()),
-      pulled(rest.size(), 0.0),
-      carried(nodes.size()),
-      forward(nodes.size()) {
-    unfinished.nodes = nodes;
+      tree(static_cast<int>(most_links(def, rest))) {
+    const std::size_t most = most_links(def, rest);
+    for (auto* of_nodes : {&nodes, &before, &drift, &unfinished.nodes, &carried, &forward, &coupled_move, &unit}) of_nodes->reserve(most + 1);
+    for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &lower, &pivot, &upper, &multiplier,
+                           &pulled, &weight_at})
+        of_links->reserve(most + 1);
     // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
-    contacts.reserve(24 * rest.size());
-    rows.reserve(8 * rest.size());
+    contacts.reserve(24 * most);
+    rows.reserve(8 * most);
     pushed_rows.reserve(rows.capacity());
     responses.resized(3 * most_coupled, 3 * most_coupled);
     for (Table* of_links : {&effects, &answers}) of_links->resized(8 * most_coupled, 3 * most_coupled);
     touched.reserve(8 * most_coupled);
     inverse.reserve(8 * most_coupled);
-    coupled_move.reserve(nodes.size());
-    weight_at.resize(nodes.size());
+    size_for_links();
+}
+
+void State::size_for_links() {
+    const std::size_t n = rest.size();
+    arc.assign(1, 0.0);
+    for (const double length : rest) arc.push_back(arc.back() + length);
+    least_span.assign(n, 0.0);
+    for (std::size_t i = 1; i < n; ++i) least_span[i] = thread::least_span(rest[i - 1], rest[i], def.radius);
+    before = unfinished.nodes = nodes;
+    for (auto* of_nodes : {&carried, &forward}) of_nodes->resize(n + 1);
+    unit.resize(n);
+    inverse_mass.assign(n + 1, 1.0);
+    for (auto* of_nodes : {&bound, &weight_at}) of_nodes->assign(n + 1, 0.0);
+    for (auto* of_links : {&lower, &pivot, &upper, &multiplier, &pulled}) of_links->assign(n, 0.0);
+    tree.resize(static_cast<int>(n));
 }
 
 TickReport tick(State& state, const TickInput& input);
@@ -74,6 +79,8 @@ Thread& Thread::operator=(Thread&& other) noexcept {
 
 TickReport Thread::tick(const TickInput& input) { return thread::tick(impl_->state, input); }
 
+bool Thread::fit_links(std::span<int> held) { return thread::fit_links(impl_->state, held); }
+
 const ThreadDef& Thread::def() const { return impl_->state.def; }
 std::span<const Vec3> Thread::nodes() const { return impl_->state.nodes; }
 std::span<const double> Thread::rest_lengths() const { return impl_->state.rest; }
@@ -88,6 +95,7 @@ std::uint64_t Thread::hash() const {
         for (int c = 0; c < 3; ++c) add(p[c]);
     for (const Vec3& p : impl_->state.drift)
         for (int c = 0; c < 3; ++c) add(p[c]);
+    for (const double link : impl_->state.rest) add(link);
     for (const Contact& c : impl_->state.contacts) add(c.measured - 2 * c.measured_at);
     for (const double share : impl_->state.following) add(share);
     add(impl_->state.moved);

@@ -20,6 +20,8 @@ struct ThreadDef {
     double friction = 0.15;           ///< Coulomb coefficient, thread on thread and on surfaces.
     double friction_tool = 0.15;      ///< Coulomb coefficient, thread on moving capsules.
     double axial_stiffness = 15.9;    ///< Young's modulus times cross-section [N]; scales the tension estimate only.
+    double shortest_link = 0;         ///< [m]: where the thread bends or touches itself links are halved until they are as short,
+                                      ///< to within the root of two, and joined again where it is straight; 0: they stay as they are.
 };
 
 /// A node held by somebody, and where it should be at the end of the tick.
@@ -66,9 +68,14 @@ class Thread {
     /// One tick. Allocates nothing once buffers have grown to the scene's size.
     TickReport tick(const TickInput& input);
 
+    /// Between ticks: links where they are needed, by ThreadDef::shortest_link. None is longer than the longest was at first. The
+    /// curve stays where it is to within a tenth of the radius, and what passes through what. `held`: nodes that somebody holds;
+    /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n).
+    bool fit_links(std::span<int> held);
+
     const ThreadDef& def() const;
     std::span<const Vec3> nodes() const;             ///< n + 1 positions [m].
-    std::span<const double> rest_lengths() const;    ///< n [m].
+    std::span<const double> rest_lengths() const;    ///< n [m]; change only in fit_links.
     std::span<const double> tension() const;         ///< n, estimate [N]: what a thread of this stiffness would carry.
     double progress(int owner) const;                ///< Share of its motion that a tool made in the last tick.
     std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.

@@ -79,7 +79,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"links\", \"mover\", \"start_mm\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"links\", \"shortest_link_mm\", \"mover\", \"start_mm\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),
@@ -88,6 +88,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:7:14: error: /thread/links: expected a whole number, found 2.5"},
         {with("\"friction\": 0.2", "\"links\": 3000"),
          "a.json:7:14: error: /thread/links: links would be shorter than the thread is thick, expected at most 1764"},
+        {with("\"friction\": 0.2", "\"shortest_link_mm\": 0.01"),
+         "a.json:7:25: error: /thread/shortest_link_mm: links would be shorter than the thread is thick, expected 0 or at least 0.085"},
         {with("150", "0.15"), "a.json:6:18: error: /thread/length_mm: expected 5 to 1000 mm, found 0.15"},
         {with("150", "\"150 mm\""), "a.json:6:18: error: /thread/length_mm: expected a number, found \"150 mm\""},
         {with("150", "null"), "a.json:6:18: error: /thread/length_mm: expected a number, found null"},

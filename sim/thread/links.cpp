@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include "sim/thread/state.hpp"
+
+// Links where they are needed. A link is halved at its middle, which moves nothing; two are joined only where they lie
+// straight and clear of other strands, so that nothing can be in the sliver between them and their chord.
+namespace sim::thread {
+
+constexpr double most_sagitta = 0.25;  // of the radius: a link is longer then than the geometric mean of thickness and bend
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// How far links of length `l` lie off the curve that turns by `turn` [rad] at each of them: the sagitta of an arc.
+static double sagitta(double l, double turn) { return l * turn / 8; }
+
+static Vec3 direction(const State& state, std::size_t link) { return (state.nodes[link + 1] - state.nodes[link]).stableNormalized(); }
+
+// By how much the thread turns at a node [rad], as the chord of the angle; not at all at its ends.
+static double turn_at(const State& state, std::size_t node) {
+    return node == 0 || node == state.rest.size() ? 0 : (direction(state, node) - direction(state, node - 1)).norm();
+}
+
+// Nearest other strand of every link, in thicknesses, as it was when last looked at. What is as near along the thread as we
+// look is no other strand: there the bend between says how short links must be.
+static void measure_nearest(State& state) {
+    state.nearest.assign(state.rest.size(), 1e300);
+    for (const Contact& c : state.contacts) {
+        if (c.against != Against::thread || state.arc[at(c.other)] - state.arc[at(c.link + 1)] < state.reach) continue;
+        for (const int link : {c.link, c.other}) state.nearest[at(link)] = std::min(state.nearest[at(link)], c.gap / c.thickness);
+    }
+}
+
+static bool asks_for_shorter(const State& state, std::size_t link) {
+    constexpr double touching = 1.1, root_two = 1.4142135623730951;
+    if (state.rest[link] <= root_two * state.def.shortest_link || state.inverse_mass[link] + state.inverse_mass[link + 1] == 0) return false;
+    const double turn = std::max(turn_at(state, link), turn_at(state, link + 1));
+    return state.nearest[link] < touching || sagitta(state.rest[link], turn) > most_sagitta * state.def.radius;
+}
+
+// By joining two links half of what halves one must not be reached, or it would be halved again.
+static bool can_go(const State& state, std::size_t node) {
+    constexpr double clear = 1.9;  // nearer strands are measured in every substep
+    constexpr double most_moved = 0.1;
+    const double a = state.rest[node - 1], b = state.rest[node], joined = a + b;
+    if (state.inverse_mass[node] == 0 || joined > state.longest_link || std::min(state.nearest[node - 1], state.nearest[node]) < clear)
+        return false;
+    const double off = a * b / joined * turn_at(state, node);
+    const double turn = turn_at(state, node) + std::max(turn_at(state, node - 1), turn_at(state, node + 1));
+    return off < most_moved * state.def.radius && sagitta(joined, turn) < 0.5 * most_sagitta * state.def.radius;
+}
+
+template <class T>
+static void insert(std::vector<T>& values, std::size_t place, const T& value) {
+    values.insert(values.begin() + static_cast<std::ptrdiff_t>(place), value);
+}
+
+template <class T>
+static void erase(std::vector<T>& values, std::size_t place) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+static void halve(State& state, std::size_t link) {
+    const auto insert_middle = [&](auto& values) { insert(values, link + 1, typename std::decay_t<decltype(values)>::value_type(0.5 * (values[link] + values[link + 1]))); };
+    insert_middle(state.nodes);
+    insert_middle(state.drift);
+    insert_middle(state.following);
+    insert(state.inverse_mass, link + 1, 1.0);
+    state.rest[link] /= 2;
+    for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) insert(*of_links, link, (*of_links)[link]);
+}
+
+static void join_at(State& state, std::size_t node) {
+    erase(state.nodes, node);
+    erase(state.drift, node);
+    erase(state.following, node);
+    erase(state.inverse_mass, node);
+    state.rest[node - 1] += state.rest[node];
+    for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) erase(*of_links, node);
+}
+
+static void renumber(std::span<int> held, int from, int by) {
+    for (int& node : held)
+        if (node >= from) node += by;
+}
+
+// From the last to the first, so that what is still to be looked at keeps its number.
+static bool halve_where_needed(State& state, std::span<int> held) {
+    bool changed = false;
+    for (int k = state.links() - 1; k >= 0; --k) {
+        if (!asks_for_shorter(state, at(k))) continue;
+        halve(state, at(k));
+        renumber(held, k + 1, 1);
+        changed = true;
+    }
+    return changed;
+}
+
+static bool join_where_straight(State& state, std::span<int> held) {
+    bool changed = false;
+    for (int i = state.links() - 1; i >= 1; --i) {
+        if (!can_go(state, at(i))) continue;
+        join_at(state, at(i));
+        renumber(held, i, -1);
+        --i;  // what was just joined stays as it is this time
+        changed = true;
+    }
+    return changed;
+}
+
+bool fit_links(State& state, std::span<int> held) {
+    const bool stands = state.unfinished.pace >= 0 || (state.reach > 0 && state.moved <= state.def.radius);
+    if (state.def.shortest_link <= 0 || state.settled || stands) return false;
+    std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
+    for (const int node : held) state.inverse_mass[at(node)] = 0;
+    measure_nearest(state);
+    const bool joined = join_where_straight(state, held), halved = halve_where_needed(state, held);
+    if (!joined && !halved) return false;
+    state.size_for_links();
+    state.contacts.clear();
+    state.rows.clear();
+    state.seen.clear();  // to be looked for again
+    state.settled = false;
+    return true;
+}
+
+}  // namespace sim::thread
