@@ -37,6 +37,8 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &lower, &pivot, &upper, &multiplier,
                            &pulled, &weight_at})
         of_links->reserve(most + 1);
+    for (auto* boxes : {&audit_boxes, &audit_links}) boxes->reserve(most);
+    kept.reserve(most + 1);
     // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
     contacts.reserve(24 * most);
     rows.reserve(8 * most);

@@ -69,4 +69,22 @@ TEST(Allocation, ATickAllocatesNothingOnceItsBuffersHaveGrown) {
     EXPECT_EQ(allocations, at_test + 1);  // the counter counts
 }
 
+// Links come and go while a knot is drawn tight and let go again.
+TEST(Allocation, ChangingLinksAllocatesNothing) {
+    Thread thread({.shortest_link = 2 * radius}, overhand(60, 8 * radius));
+    app::bench::Apart pull(thread);
+    const auto play = [&] {
+        for (int i = 0; i < 1200; ++i) pull.by(thread, i < 600 ? 0.05e-3 : -0.05e-3);
+    };
+    play();
+    const std::size_t before = allocations, links = thread.rest_lengths().size();
+    std::size_t most = 0;
+    for (int i = 0; i < 600; ++i) {
+        pull.by(thread, 0.05e-3);
+        most = std::max(most, thread.rest_lengths().size());
+    }
+    EXPECT_EQ(allocations - before, 0u);
+    EXPECT_NE(most, links);  // they did change
+}
+
 }  // namespace
