@@ -57,9 +57,16 @@ def trade_off():
     return table(head, [[f"`{s[4:]}`"] + [cell(f"{s}-{name}") for name in ["cost", "stretch", "gap", "kappa"]] for s in settings])
 
 
+def links():
+    figures = ["most", "tick-p50", "tick-p99", "takes-up", "stretch", "gap", "knot-kept", "pass-throughs", "moved", "ratio"]
+    head = ["`links-…`", "links at most", "`tick-p50` [us]", "`tick-p99` [us]", "`takes-up` [D]", "`stretch` [%]", "`gap` [D]", "`knot-kept`",
+            "`pass-throughs`", "`moved` [R]", "`ratio`"]
+    return table(head, [[f"`{name}`"] + [cell(f"links-{name}-{figure}") for figure in figures] for name in ["short", "long", "fitted"]])
+
+
 page = pathlib.Path(__file__).resolve().parent.parent / "docs" / "speed.md"
 text = page.read_text()
 for name, made in [("machine", answer["machine"] + "; " + answer["build"] + "."), ("pulls", pulls()), ("growth", growth()),
-                   ("trade-off", trade_off())]:
+                   ("trade-off", trade_off()), ("links", links())]:
     text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)", lambda m: m[1] + made + "\n" + m[2], text, flags=re.S)
 page.write_text(text)
