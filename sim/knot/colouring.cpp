@@ -88,59 +88,95 @@ struct Wirtinger {
     }
 };
 
+// In which order colours are found: which arcs follow from which does not depend on their colours.
+struct Step {
+    enum Kind { guess, out_from_in, in_from_out, check } kind;
+    int at;  ///< An arc to guess, else a crossing.
+};
+
+class Plan {
+  public:
+    explicit Plan(const Wirtinger& knot) : knot_(knot), known_(knot.over.size(), 0), used_(knot.over.size(), 0) {
+        known_[0] = 1;
+        deduce();
+        for (int arc = best_guess(); arc >= 0; arc = best_guess()) {
+            steps.push_back({Step::guess, arc});
+            known_[at(arc)] = 1;
+            deduce();
+        }
+    }
+
+    std::vector<Step> steps;
+
+  private:
+    void deduce() {
+        const int n = static_cast<int>(known_.size());
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (int i = 0; i < n; ++i) {
+                char &in = known_[at(i)], &out = known_[at((i + 1) % n)];
+                if (used_[at(i)] || !known_[at(knot_.over[at(i)])] || (!in && !out)) continue;
+                steps.push_back({in && out ? Step::check : in ? Step::out_from_in : Step::in_from_out, i});
+                in = out = used_[at(i)] = 1;
+                changed = true;
+            }
+        }
+    }
+
+    // The unknown arc from which most others follow; -1 when all are known.
+    int best_guess() {
+        const Plan before = *this;
+        int best = -1;
+        std::size_t most = 0;
+        for (std::size_t arc = 0; arc < before.known_.size(); ++arc) {
+            if (before.known_[arc]) continue;
+            known_[arc] = 1;
+            deduce();
+            if (best < 0 || steps.size() > most) best = static_cast<int>(arc), most = steps.size();
+            known_ = before.known_, used_ = before.used_, steps = before.steps;
+        }
+        return best;
+    }
+
+    const Wirtinger& knot_;
+    std::vector<char> known_, used_;
+};
+
 class Counter {
   public:
     Counter(const Wirtinger& knot, const Conjugates& group)
-        : knot_(knot), group_(group), counts_(at(group.order), 0), colour_(knot.over.size(), -1) {}
+        : knot_(knot), group_(group), plan_(knot), counts_(at(group.order), 0), colour_(knot.over.size(), 0) {}
 
     std::optional<std::vector<int>> run() {
-        colour_[0] = 0;
-        extend();
-        if (trials_ > 1000000) return std::nullopt;
+        go_on_from(0);
+        if (trials_ > most_trials) return std::nullopt;
         return counts_;
     }
 
   private:
-    // Fills what follows from the colours known; false on a contradiction. Remembers what it filled.
-    bool deduce(std::vector<int>& filled) {
-        const int n = static_cast<int>(colour_.size());
-        for (bool changed = true; changed;) {
-            changed = false;
-            for (int i = 0; i < n; ++i) {
-                const int y = colour_[at(knot_.over[at(i)])], in = colour_[at(i)], next = (i + 1) % n;
-                const int out = colour_[at(next)];
-                if (y < 0 || (in < 0 && out < 0)) continue;
-                const auto& forth = knot_.positive[at(i)] ? group_.moved : group_.moved_back;
-                const auto& back = knot_.positive[at(i)] ? group_.moved_back : group_.moved;
-                if (in >= 0 && out >= 0) {
-                    if (forth[at(y)][at(in)] != out) return false;
-                    continue;
-                }
-                const int target = in >= 0 ? next : i;
-                colour_[at(target)] = in >= 0 ? forth[at(y)][at(in)] : back[at(y)][at(out)];
-                filled.push_back(target);
-                changed = true;
-            }
-        }
-        return true;
-    }
+    static constexpr long most_trials = 1000000;
 
-    void extend() {
-        if (++trials_ > 1000000) return;
-        std::vector<int> filled;
-        if (deduce(filled)) {
-            const auto open = std::find(colour_.begin(), colour_.end(), -1);
-            if (open == colour_.end()) {
-                count();
-            } else {
-                for (int c = 0; c < static_cast<int>(group_.element.size()); ++c) {
-                    *open = c;
-                    extend();
+    void go_on_from(std::size_t first) {
+        const int n = static_cast<int>(colour_.size());
+        for (std::size_t k = first; k < plan_.steps.size(); ++k) {
+            const Step step = plan_.steps[k];
+            if (step.kind == Step::guess) {
+                for (int c = 0; c < static_cast<int>(group_.element.size()) && ++trials_ <= most_trials; ++c) {
+                    colour_[at(step.at)] = c;
+                    go_on_from(k + 1);
                 }
-                *open = -1;
+                return;
             }
+            const int y = colour_[at(knot_.over[at(step.at)])];
+            int &in = colour_[at(step.at)], &out = colour_[at((step.at + 1) % n)];
+            const bool positive = knot_.positive[at(step.at)];
+            const auto& forth = positive ? group_.moved : group_.moved_back;
+            const auto& back = positive ? group_.moved_back : group_.moved;
+            if (step.kind == Step::check && forth[at(y)][at(in)] != out) return;
+            if (step.kind == Step::out_from_in) out = forth[at(y)][at(in)];
+            if (step.kind == Step::in_from_out) in = back[at(y)][at(out)];
         }
-        for (const int i : filled) colour_[at(i)] = -1;
+        count();
     }
 
     void count() {
@@ -159,6 +195,7 @@ class Counter {
 
     const Wirtinger& knot_;
     const Conjugates& group_;
+    const Plan plan_;
     std::vector<int> counts_, colour_;
     long trials_ = 0;
 };

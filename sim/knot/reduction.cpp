@@ -35,22 +35,30 @@ Box box_of(const Vec3& a, const Vec3& b) {
     return box;
 }
 
+// The polygons' vertices, their edges in a tree. Edge i leads from vertex i to the next that is left.
 class Sweep {
   public:
     explicit Sweep(const Polygons& polygons) : tree_(link(polygons)) {}
 
-    int dropped() const { return dropped_; }
-
-    void run(long& budget) {
+    // Whether any vertex went.
+    bool run(long& budget) {
+        const int before = dropped_;
+        int kept = -1;
         for (int i = 0; i < static_cast<int>(points_.size()) && budget > 0; ++i) {
-            const int before = previous_[at(i)], after = next_[at(i)];
-            if (before == after || previous_[at(before)] == after) continue;  // a triangle stays
-            if (!empty(before, i, after, budget)) continue;
-            next_[at(before)] = after, previous_[at(after)] = before;
+            if (gone_[at(i)] || i == kept) continue;
+            const int last = previous_[at(i)], next = next_[at(i)];
+            if (last == next || previous_[at(last)] == next) continue;  // a triangle stays
+            if (!empty(last, i, next, budget)) continue;
+            next_[at(last)] = next, previous_[at(next)] = last;
             gone_[at(i)] = 1, ++dropped_;
-            tree_.grow(before, box_of(points_[at(before)], points_[at(after)]));
+            kept = next;
+            tree_.grow(last, box_of(points_[at(last)], points_[at(next)]));
         }
+        return dropped_ > before;
     }
+
+    // Boxes of edges that went are in the tree still; where they are the most a new tree is quicker.
+    bool is_sparse() const { return 2 * dropped_ > static_cast<int>(points_.size()); }
 
     Polygons result() const {
         Polygons polygons;
@@ -79,15 +87,17 @@ class Sweep {
             ends_.push_back(points_.size());
         }
         gone_.assign(points_.size(), 0);
+        blocker_.assign(points_.size(), -1);
         return ChainTree(boxes);
     }
 
-    // No edge but those at its corners meets the triangle. An edge that starts at a corner leaves its plane there.
-    bool empty(int before, int i, int after, long& budget) const {
+    // No edge but those at its corners meets the triangle. An edge that starts at a corner leaves its plane there. What was
+    // in the way last time most often still is.
+    bool empty(int before, int i, int after, long& budget) {
         const Vec3 &p = points_[at(before)], &q = points_[at(i)], &r = points_[at(after)];
         Box box = box_of(p, r);
         box.include(q);
-        return tree_.visit_overlapping(box, 0, [&](int edge) {
+        const auto lets_pass = [&](int edge) {
             if (gone_[at(edge)]) return true;
             const int end = next_[at(edge)];
             if (edge == i || end == i || end == before || edge == after) return true;
@@ -95,11 +105,19 @@ class Sweep {
             --budget;
             const Vec3 &a = points_[at(edge)], &b = points_[at(end)];
             return !box_of(a, b).overlaps(box) || misses(p, q, r, a, b);
+        };
+        int& blocker = blocker_[at(i)];
+        if (blocker >= 0 && !lets_pass(blocker)) return false;
+        blocker = -1;
+        return tree_.visit_overlapping(box, 0, [&](int edge) {
+            if (lets_pass(edge)) return true;
+            blocker = edge;
+            return false;
         });
     }
 
     std::vector<Vec3> points_;
-    std::vector<int> next_, previous_;
+    std::vector<int> next_, previous_, blocker_;
     std::vector<char> gone_;
     std::vector<std::size_t> ends_;
     int dropped_ = 0;
@@ -111,9 +129,10 @@ class Sweep {
 void drop_empty_triangles(Polygons& polygons) {
     for (long budget = 10000000; budget > 0;) {
         Sweep sweep(polygons);
-        sweep.run(budget);
-        if (sweep.dropped() == 0) return;
+        bool more = sweep.run(budget);
+        while (more && !sweep.is_sparse()) more = sweep.run(budget);
         polygons = sweep.result();
+        if (!more) return;
     }
 }
 
