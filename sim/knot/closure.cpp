@@ -7,7 +7,7 @@ namespace sim::knot {
 
 namespace {
 
-using Strands = std::vector<std::vector<Vec3>>;
+using Strands = Polygons;
 
 // A direction in which `end` lies strictly beyond all other vertices, or nothing when it is inside the hull (or so
 // nearly that 300 steps do not find one). Frank and Wolfe's method for the point of least norm of the hull of the unit
@@ -38,6 +38,8 @@ std::optional<Vec3> way_out(const Strands& strands, std::size_t strand, bool fir
     return std::nullopt;
 }
 
+constexpr double outside = 2.0;  // everything lies within sqrt(3)/2 of the origin
+
 Vec3 at_radius(const Vec3& from, const Vec3& along, double radius) {
     const double b = from.dot(along), c = from.squaredNorm() - radius * radius;
     return from + (std::sqrt(b * b - c) - b) * along;
@@ -60,18 +62,29 @@ void append_arc(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, double 
 
 }  // namespace
 
-Closed close_outside(const Strands& strands, const std::vector<bool>& closed, int vote) {
-    Closed result;
-    double radius = 2.0;  // everything lies within sqrt(3)/2 of the origin
+std::vector<Ways> ways_out(const Strands& strands, const std::vector<bool>& closed) {
+    std::vector<Ways> ways(strands.size());
+    for (std::size_t s = 0; s < strands.size(); ++s)
+        if (!closed[s]) ways[s] = {way_out(strands, s, true), way_out(strands, s, false)};
+    return ways;
+}
+
+bool all_free(const std::vector<Ways>& ways, const std::vector<bool>& closed) {
+    for (std::size_t s = 0; s < ways.size(); ++s)
+        if (!closed[s] && !(ways[s].from_first && ways[s].from_last)) return false;
+    return true;
+}
+
+Polygons close_outside(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote) {
+    Polygons result;
+    double radius = outside;
     Vec3 rope_side = Vec3::Zero();
     for (std::size_t s = 0; s < strands.size(); ++s) {
-        auto& polygon = result.polygons.emplace_back(strands[s]);
+        auto& polygon = result.emplace_back(strands[s]);
         if (closed[s]) continue;
         const Vec3 buried = direction(vote);
-        const auto out_first = way_out(strands, s, true), out_last = way_out(strands, s, false);
-        if (!out_first || !out_last) result.ends_free = false;
-        const Vec3 from = at_radius(strands[s].back(), out_last.value_or(buried), radius);
-        const Vec3 to = at_radius(strands[s].front(), out_first.value_or(buried), radius);
+        const Vec3 from = at_radius(strands[s].back(), ways[s].from_last.value_or(buried), radius);
+        const Vec3 to = at_radius(strands[s].front(), ways[s].from_first.value_or(buried), radius);
         polygon.push_back(from);
         // The first open strand is the rope; what it is tied round is closed on the side away from the rope's ends.
         const Vec3 middle = -radius * rope_side.normalized();
@@ -87,6 +100,24 @@ Closed close_outside(const Strands& strands, const std::vector<bool>& closed, in
         radius *= 1.5;
     }
     return result;
+}
+
+Polygons reduced(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, int votes) {
+    Polygons all = strands;
+    std::vector<bool> pinned;
+    for (const bool c : closed) pinned.push_back(!c);
+    // Whatever may lead an end out is in the way too: a polygon of two vertices, which never loses any.
+    const auto lead_out = [&](const Vec3& end, const std::optional<Vec3>& way) {
+        for (int vote = 0; vote < (way ? 1 : votes); ++vote) all.push_back({end, at_radius(end, way.value_or(direction(vote)), outside)});
+    };
+    for (std::size_t s = 0; s < strands.size(); ++s) {
+        if (closed[s]) continue;
+        lead_out(strands[s].front(), ways[s].from_first);
+        lead_out(strands[s].back(), ways[s].from_last);
+    }
+    drop_empty_triangles(all, pinned);
+    all.resize(strands.size());
+    return all;
 }
 
 }  // namespace sim::knot

@@ -162,18 +162,21 @@ LinkName name_link(const std::vector<Component>& components) {
     const auto strands = in_general_position(components);
     std::vector<bool> closed;
     for (const Component& c : components) closed.push_back(c.closed);
-    const Closed joined = close_outside(strands, closed, 0);
-    Closing closing = named_closing(joined.polygons);
+    constexpr int unanimous = 8;
+    const std::vector<Ways> ways = ways_out(strands, closed);
+    const bool free = all_free(ways, closed);
+    const Polygons few = reduced(strands, closed, ways, free ? 1 : unanimous);
+    Closing closing = named_closing(close_outside(few, closed, ways, 0));
     Name& name = closing.link.name;
     // Buried ends: certain only when eight ways of leading them out give the same.
     std::vector<std::string> candidates{name.knot};
-    for (int vote = 1; vote < 8 && !joined.ends_free; ++vote) {
-        const LinkName other = named_closing(close_outside(strands, closed, vote).polygons).link;
+    for (int vote = 1; vote < unanimous && !free; ++vote) {
+        const LinkName other = named_closing(close_outside(few, closed, ways, vote)).link;
         if (std::find(candidates.begin(), candidates.end(), other.name.knot) == candidates.end())
             candidates.push_back(other.name.knot);
     }
     if (candidates.size() > 1) name.certain = false, name.candidates = candidates;
-    if (!components.front().closed && closing.first.known) read_surgical(strands.front(), closing.first, name);
+    if (!components.front().closed && closing.first.known) read_surgical(strands.front(), few.front(), closing.first, name);
     return closing.link;
 }
 

@@ -11,8 +11,6 @@ namespace sim::knot {
 
 namespace {
 
-using Strands = std::vector<std::vector<Vec3>>;
-
 Name named(const Seen& seen) {
     Name name;
     name.crossings_projected = seen.projected;
@@ -27,13 +25,13 @@ Name named(const Seen& seen) {
 }
 
 // Types found over several ways of leading out buried ends. Eight that agree are enough.
-Name voted(const Strands& strands, const std::vector<bool>& closed) {
-    constexpr int most_votes = 24, unanimous = 8;
+constexpr int most_votes = 24, unanimous = 8;
+
+Name voted(const Polygons& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways) {
     std::map<std::string, int> share;
     std::map<std::string, Name> first;
-    int votes = 0;
-    for (; votes < most_votes && !(votes >= unanimous && share.size() == 1); ++votes) {
-        const Name name = named(best_view(close_outside(strands, closed, votes).polygons));
+    for (int votes = 0; votes < most_votes && !(votes >= unanimous && share.size() == 1); ++votes) {
+        const Name name = named(best_view(close_outside(strands, closed, ways, votes)));
         ++share[name.knot];
         first.emplace(name.knot, name);
     }
@@ -52,15 +50,16 @@ Name voted(const Strands& strands, const std::vector<bool>& closed) {
 }  // namespace
 
 Name name_knot(const std::vector<Vec3>& curve, bool closed) {
-    const Strands strands = in_general_position({{curve, closed}});
-    const Closed joined = close_outside(strands, {closed}, 0);
-    const Name name = joined.ends_free ? named(best_view(joined.polygons)) : voted(strands, {closed});
-    if (closed) return name;
-    Name result = name;
+    const Polygons strands = in_general_position({{curve, closed}});
+    const std::vector<Ways> ways = ways_out(strands, {closed});
+    const bool free = all_free(ways, {closed});
+    const Polygons few = reduced(strands, {closed}, ways, free ? 1 : most_votes);
+    Name name = free ? named(best_view(close_outside(few, {closed}, ways, 0))) : voted(few, {closed}, ways);
+    if (closed || name.knot == "unknown") return name;
     Identity whole;
-    whole.factors = name.factors, whole.certain = name.certain, whole.known = name.knot != "unknown";
-    if (whole.known) read_surgical(strands.front(), whole, result);
-    return result;
+    whole.factors = name.factors, whole.certain = name.certain;
+    read_surgical(strands.front(), few.front(), whole, name);
+    return name;
 }
 
 }  // namespace sim::knot

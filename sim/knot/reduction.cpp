@@ -38,14 +38,14 @@ Box box_of(const Vec3& a, const Vec3& b) {
 // The polygons' vertices, their edges in a tree. Edge i leads from vertex i to the next that is left.
 class Sweep {
   public:
-    explicit Sweep(const Polygons& polygons) : tree_(link(polygons)) {}
+    Sweep(const Polygons& polygons, const std::vector<bool>& pinned) : tree_(link(polygons, pinned)) {}
 
     // Whether any vertex went.
     bool run(long& budget) {
         const int before = dropped_;
         int kept = -1;
         for (int i = 0; i < static_cast<int>(points_.size()) && budget > 0; ++i) {
-            if (gone_[at(i)] || i == kept) continue;
+            if (gone_[at(i)] || pinned_[at(i)] || i == kept) continue;
             const int last = previous_[at(i)], next = next_[at(i)];
             if (last == next || previous_[at(last)] == next) continue;  // a triangle stays
             if (!empty(last, i, next, budget)) continue;
@@ -74,9 +74,10 @@ class Sweep {
   private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-    ChainTree link(const Polygons& polygons) {
+    ChainTree link(const Polygons& polygons, const std::vector<bool>& pinned) {
         std::vector<Box> boxes;
-        for (const auto& polygon : polygons) {
+        for (std::size_t c = 0; c < polygons.size(); ++c) {
+            const auto& polygon = polygons[c];
             const int first = static_cast<int>(points_.size()), n = static_cast<int>(polygon.size());
             for (int i = 0; i < n; ++i) {
                 points_.push_back(polygon[at(i)]);
@@ -85,6 +86,8 @@ class Sweep {
                 boxes.push_back(box_of(polygon[at(i)], polygon[at((i + 1) % n)]));
             }
             ends_.push_back(points_.size());
+            pinned_.resize(points_.size(), 0);
+            if (c < pinned.size() && pinned[c] && n > 0) pinned_[at(first)] = pinned_.back() = 1;
         }
         gone_.assign(points_.size(), 0);
         blocker_.assign(points_.size(), -1);
@@ -118,7 +121,7 @@ class Sweep {
 
     std::vector<Vec3> points_;
     std::vector<int> next_, previous_, blocker_;
-    std::vector<char> gone_;
+    std::vector<char> gone_, pinned_;
     std::vector<std::size_t> ends_;
     int dropped_ = 0;
     ChainTree tree_;
@@ -126,9 +129,9 @@ class Sweep {
 
 }  // namespace
 
-void drop_empty_triangles(Polygons& polygons) {
+void drop_empty_triangles(Polygons& polygons, const std::vector<bool>& pinned) {
     for (long budget = 10000000; budget > 0;) {
-        Sweep sweep(polygons);
+        Sweep sweep(polygons, pinned);
         bool more = sweep.run(budget);
         while (more && !sweep.is_sparse()) more = sweep.run(budget);
         polygons = sweep.result();
