@@ -106,7 +106,7 @@ std::string key_of(const Diagram& diagram) {
 
 class Skein {
   public:
-    explicit Skein(long most_work) : work_left_(most_work) {}
+    explicit Skein(Work& work) : work_(work) {}
 
     std::optional<Polynomial> value(Diagram diagram) {
         remove_curls_and_bigons(diagram);
@@ -127,8 +127,8 @@ class Skein {
     std::optional<Polynomial> remembered(const Diagram& diagram) {
         const std::string key = key_of(diagram);
         if (const auto known = memory_.find(key); known != memory_.end()) return known->second;
-        work_left_ -= static_cast<long>(diagram.crossings()) * diagram.crossings();
-        if (work_left_ < 0) return std::nullopt;
+        work_.spend_on(diagram);
+        if (work_.is_spent()) return std::nullopt;
         std::optional<Polynomial> p = by_skein(diagram);
         if (p) memory_.emplace(key, *p);
         return p;
@@ -146,13 +146,13 @@ class Skein {
     }
 
     std::map<std::string, Polynomial> memory_;
-    long work_left_;
+    Work& work_;
 };
 
 }  // namespace
 
-std::optional<Polynomial> homfly(const Diagram& diagram, long most_work) {
-    return Skein(most_work).value(diagram);
+std::optional<Polynomial> homfly(const Diagram& diagram, Work& work) {
+    return Skein(work).value(diagram);
 }
 
 }  // namespace sim::knot

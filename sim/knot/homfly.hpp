@@ -6,10 +6,16 @@
 
 namespace sim::knot {
 
+/// What a name may cost, in squared crossings of the diagrams visited: some tens of milliseconds in all.
+struct Work {
+    long left = 200000;
+    void spend_on(const Diagram& diagram) { left -= static_cast<long>(diagram.crossings()) * diagram.crossings(); }
+    bool is_spent() const { return left < 0; }
+};
+
 /// HOMFLY polynomial P(v, z): v^-1 P(L+) - v P(L-) = z P(L0), P(unknot) = 1. Strands are oriented as listed.
-/// Nothing when the work, the squared crossings of the diagrams visited, would exceed `most_work` (a million takes some
-/// ten milliseconds): the bound that keeps a simulation from being held up.
+/// Nothing when that would take more work than is left: the bound that keeps a simulation from being held up.
 /// Method: skein recursion towards descending diagrams, each diagram first freed of curls and bigons, with memory.
-std::optional<Polynomial> homfly(const Diagram& diagram, long most_work = 1000000);
+std::optional<Polynomial> homfly(const Diagram& diagram, Work& work);
 
 }  // namespace sim::knot

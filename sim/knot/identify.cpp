@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/knot/colouring.hpp"
-#include "sim/knot/homfly.hpp"
 #include "sim/knot/projection.hpp"
 #include "sim/knot/table.hpp"
 
@@ -24,11 +23,11 @@ bool fits(const Diagram& knot, Group group, const std::vector<std::vector<int>>&
 }
 
 // One summand that does not visibly split further.
-Identity identify_summand(const Diagram& knot) {
+Identity identify_summand(const Diagram& knot, Work& work) {
     Identity identity;
     identity.crossings = knot.crossings();
     if (knot.crossings() == 0) return identity;
-    const auto polynomial = homfly(knot);
+    const auto polynomial = homfly(knot, work);
     std::vector<const KnownKnot*> fitting;
     if (polynomial) fitting = knots_with(*polynomial);
     if (fitting.size() > 1) std::erase_if(fitting, [&](auto* k) { return !fits(knot, Group::psl27, k->psl27); });
@@ -73,7 +72,7 @@ bool Identity::operator==(const Identity& o) const {
     return known == o.known && factors.size() == o.factors.size() && name() == o.name();
 }
 
-Identity identify(Diagram knot) {
+Identity identify(Diagram knot, Work& work) {
     simplify(knot);
     Identity whole;
     if (knot.crossings() > hopeless_crossings) {
@@ -82,7 +81,7 @@ Identity identify(Diagram knot) {
         return whole;
     }
     std::vector<Identity> parts;
-    for (const Summand& summand : cut_summands(knot)) parts.push_back(identify_summand(summand.diagram));
+    for (const Summand& summand : cut_summands(knot)) parts.push_back(identify_summand(summand.diagram, work));
     for (const Identity& part : parts) add(whole, part);
     sort_factors(whole.factors);
     if (!whole.certain && whole.known) whole.candidates = {whole.name()};
@@ -90,18 +89,20 @@ Identity identify(Diagram knot) {
     return whole;
 }
 
-Seen best_view(Polygons polygons) {
+Seen best_view(Polygons polygons, Work& work) {
     // 24 views bring 99 of 100 curves to their least crossings, the first does for most.
     constexpr int views = 24, most_vertices = 3000, most_crossings = 3000;
     Seen best;
     drop_empty_triangles(polygons);
     std::size_t vertices = 0;
     for (const auto& polygon : polygons) vertices += polygon.size();
-    for (int i = 0; i < views && vertices <= most_vertices; ++i) {
+    for (int i = 0; i < views && vertices <= most_vertices && (i == 0 || !work.is_spent()); ++i) {
         auto diagram = project(polygons, direction(i), most_crossings);
         if (!diagram) continue;
+        if (diagram->crossings() > most_crossings) break;  // others would show as many
         if (!best.found) best.projected = diagram->crossings();
         simplify(*diagram);
+        work.spend_on(*diagram);
         if (!best.found || diagram->crossings() < best.diagram.crossings()) best.diagram = std::move(*diagram);
         best.found = true;
         if (best.diagram.crossings() > hopeless_crossings || small_enough(best.diagram)) break;

@@ -4,6 +4,7 @@
 
 #include "sim/knot/curve.hpp"
 #include "sim/knot/diagram.hpp"
+#include "sim/knot/homfly.hpp"
 #include "sim/knot/namer.hpp"
 
 namespace sim::knot {
@@ -21,14 +22,14 @@ struct Identity {
 };
 
 /// Names a knot diagram of one strand. Simplifies it first.
-Identity identify(Diagram knot);
+Identity identify(Diagram knot, Work& work);
 
-/// Views tried until a diagram is small enough to be named for certain.
+/// Views tried until a diagram is small enough to be named for certain, or the work is spent: one at least.
 struct Seen {
     Diagram diagram;     ///< Simplified, the fewest crossings found.
     int projected = 0;   ///< Crossings of the first view before simplification.
     bool found = false;  ///< False: no view could be used (too many crossings).
 };
-Seen best_view(Polygons polygons);
+Seen best_view(Polygons polygons, Work& work);
 
 }  // namespace sim::knot

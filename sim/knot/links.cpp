@@ -30,11 +30,11 @@ std::string with_factors(const std::string& link, const std::vector<Factor>& fac
 
 // A two-strand piece without visible summands. Summands that are hidden in it are tried as `hidden`.
 Part two_strands(const Diagram& piece, const std::vector<Factor>& visible, const std::vector<Factor>& hidden,
-                 const Polynomial& of_hidden) {
+                 const Polynomial& of_hidden, Work& work) {
     // Prime links to 9 crossings are told apart by the pair, with their mirror images.
     constexpr int certain_crossings = 9;
     Part part{"unknown", piece.crossings() <= certain_crossings, piece.crossings()};
-    const auto one = homfly(piece), other = homfly(reversed(piece, 1));
+    const auto one = homfly(piece, work), other = homfly(reversed(piece, 1), work);
     if (!one || !other) return {"unknown", false, piece.crossings()};
     const Pair pair{*one, *other};
     for (const KnownLink& link : known_links()) {
@@ -69,7 +69,7 @@ std::string joined_parts(std::vector<Part> parts) {
     return name.find("unknown") == std::string::npos ? name : "unknown";
 }
 
-Name named_link(Diagram diagram, const std::vector<Identity>& of_component) {
+Name named_link(Diagram diagram, const std::vector<Identity>& of_component, Work& work) {
     Name name;
     if (diagram.crossings() > 100) {  // as for knots: more than can be taken further
         name.knot = "unknown", name.certain = false, name.crossings_reduced = diagram.crossings();
@@ -79,7 +79,7 @@ Name named_link(Diagram diagram, const std::vector<Identity>& of_component) {
     bool certain = true, known = true;
     int crossings = 0;
     for (const Summand& summand : cut_summands(diagram)) {
-        const Identity identity = identify(summand.diagram);
+        const Identity identity = identify(summand.diagram, work);
         auto& factors = visible[static_cast<std::size_t>(summand.strand)];
         factors.insert(factors.end(), identity.factors.begin(), identity.factors.end());
         certain = certain && identity.certain;
@@ -96,11 +96,11 @@ Name named_link(Diagram diagram, const std::vector<Identity>& of_component) {
         }
         const std::vector<Factor> hidden = taken_from(all, seen);
         if (piece.strands.size() == 1) {
-            const Identity rest = identify(piece.diagram);
+            const Identity rest = identify(piece.diagram, work);
             seen.insert(seen.end(), rest.factors.begin(), rest.factors.end());
             parts.push_back({rest.known ? name_of(seen) : "unknown", rest.certain, rest.crossings});
         } else if (piece.strands.size() == 2) {
-            parts.push_back(two_strands(piece.diagram, seen, hidden, polynomial_of(hidden)));
+            parts.push_back(two_strands(piece.diagram, seen, hidden, polynomial_of(hidden), work));
         } else {
             parts.push_back({"unknown", false, piece.diagram.crossings()});
         }
@@ -115,9 +115,9 @@ Name named_link(Diagram diagram, const std::vector<Identity>& of_component) {
     return name;
 }
 
-Identity identity_of(const std::vector<Vec3>& polygon) {
-    const Seen alone = best_view({polygon});
-    if (alone.found) return identify(alone.diagram);
+Identity identity_of(const std::vector<Vec3>& polygon, Work& work) {
+    const Seen alone = best_view({polygon}, work);
+    if (alone.found) return identify(alone.diagram, work);
     Identity unknown;
     unknown.known = unknown.certain = false;
     return unknown;
@@ -128,21 +128,21 @@ struct Closing {
     Identity first;
 };
 
-Closing named_closing(const Polygons& polygons) {
+Closing named_closing(const Polygons& polygons, Work& work) {
     Closing closing;
     std::vector<Identity> of_component;
     for (const auto& polygon : polygons) {
-        of_component.push_back(identity_of(polygon));
+        of_component.push_back(identity_of(polygon, work));
         closing.link.component_knots.push_back(of_component.back().name());
     }
     closing.first = of_component.front();
-    const Seen seen = best_view(polygons);
+    const Seen seen = best_view(polygons, work);
     Name& name = closing.link.name;
     if (!seen.found) {
         name.knot = "unknown", name.certain = false, name.crossings_reduced = -1;
         return closing;
     }
-    name = named_link(seen.diagram, of_component);
+    name = named_link(seen.diagram, of_component, work);
     name.crossings_projected = seen.projected;
     const int n = static_cast<int>(polygons.size());
     for (int i = 0; i < n; ++i)
@@ -166,17 +166,18 @@ LinkName name_link(const std::vector<Component>& components) {
     const std::vector<Ways> ways = ways_out(strands, closed);
     const bool free = all_free(ways, closed);
     const Polygons few = reduced(strands, closed, ways, free ? 1 : unanimous);
-    Closing closing = named_closing(close_outside(few, closed, ways, 0));
+    Work work;
+    Closing closing = named_closing(close_outside(few, closed, ways, 0), work);
     Name& name = closing.link.name;
     // Buried ends: certain only when eight ways of leading them out give the same.
     std::vector<std::string> candidates{name.knot};
     for (int vote = 1; vote < unanimous && !free; ++vote) {
-        const LinkName other = named_closing(close_outside(few, closed, ways, vote)).link;
+        const LinkName other = named_closing(close_outside(few, closed, ways, vote), work).link;
         if (std::find(candidates.begin(), candidates.end(), other.name.knot) == candidates.end())
             candidates.push_back(other.name.knot);
     }
     if (candidates.size() > 1) name.certain = false, name.candidates = candidates;
-    if (!components.front().closed && closing.first.known) read_surgical(strands.front(), few.front(), closing.first, name);
+    if (!components.front().closed && closing.first.known) read_surgical(strands.front(), few.front(), closing.first, work, name);
     return closing.link;
 }
 

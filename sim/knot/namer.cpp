@@ -11,11 +11,11 @@ namespace sim::knot {
 
 namespace {
 
-Name named(const Seen& seen) {
+Name named(const Seen& seen, Work& work) {
     Name name;
     name.crossings_projected = seen.projected;
     Identity identity;
-    if (seen.found) identity = identify(seen.diagram);
+    if (seen.found) identity = identify(seen.diagram, work);
     name.certain = seen.found && identity.certain;
     name.knot = seen.found ? identity.name() : "unknown";
     if (identity.known) name.factors = identity.factors;
@@ -27,11 +27,12 @@ Name named(const Seen& seen) {
 // Types found over several ways of leading out buried ends. Eight that agree are enough.
 constexpr int most_votes = 24, unanimous = 8;
 
-Name voted(const Polygons& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways) {
+Name voted(const Polygons& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, Work& work) {
     std::map<std::string, int> share;
     std::map<std::string, Name> first;
-    for (int votes = 0; votes < most_votes && !(votes >= unanimous && share.size() == 1); ++votes) {
-        const Name name = named(best_view(close_outside(strands, closed, ways, votes)));
+    int votes = 0;
+    for (; votes < most_votes && !(votes >= unanimous && share.size() == 1) && !work.is_spent(); ++votes) {
+        const Name name = named(best_view(close_outside(strands, closed, ways, votes), work), work);
         ++share[name.knot];
         first.emplace(name.knot, name);
     }
@@ -39,6 +40,7 @@ Name voted(const Polygons& strands, const std::vector<bool>& closed, const std::
     for (const auto& [knot, count] : share) ranking.emplace_back(-count, knot);
     std::sort(ranking.begin(), ranking.end());
     Name best = first[ranking.front().second];
+    best.certain = best.certain && votes >= unanimous;
     if (ranking.size() > 1) {
         best.certain = false;
         best.candidates.clear();
@@ -54,11 +56,12 @@ Name name_knot(const std::vector<Vec3>& curve, bool closed) {
     const std::vector<Ways> ways = ways_out(strands, {closed});
     const bool free = all_free(ways, {closed});
     const Polygons few = reduced(strands, {closed}, ways, free ? 1 : most_votes);
-    Name name = free ? named(best_view(close_outside(few, {closed}, ways, 0))) : voted(few, {closed}, ways);
+    Work work;
+    Name name = free ? named(best_view(close_outside(few, {closed}, ways, 0), work), work) : voted(few, {closed}, ways, work);
     if (closed || name.knot == "unknown") return name;
     Identity whole;
     whole.factors = name.factors, whole.certain = name.certain;
-    read_surgical(strands.front(), few.front(), whole, name);
+    read_surgical(strands.front(), few.front(), whole, work, name);
     return name;
 }
 

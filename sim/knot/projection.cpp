@@ -82,7 +82,8 @@ std::optional<Diagram> crossings_of(const std::vector<Edge>& edges, std::size_t 
     for (std::size_t i = 0; i < edges.size(); ++i)
         for (std::size_t j = i + 1; j < edges.size() && edges[j].low_x() <= edges[i].high_x(); ++j) {
             if (neighbours(edges[i], edges[j])) continue;
-            if (!cross(edges[i], edges[j], diagram, hits) || diagram.crossings() > most) return std::nullopt;
+            if (!cross(edges[i], edges[j], diagram, hits)) return std::nullopt;
+            if (diagram.crossings() > most) return diagram;
         }
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
         return std::tie(a.strand, a.index, a.place) < std::tie(b.strand, b.index, b.place);
@@ -110,7 +111,7 @@ std::optional<OpenDiagram> project_open(const std::vector<Vec3>& strand, const V
     std::erase_if(edges, [](const Edge& e) { return e.index == e.count - 1; });
     std::vector<Hit> hits;
     auto diagram = crossings_of(edges, 1, most, hits);
-    if (!diagram) return std::nullopt;
+    if (!diagram || diagram->crossings() > most) return std::nullopt;
     OpenDiagram open{std::move(*diagram), {}};
     for (const Hit& h : hits) open.positions.push_back(h.index + h.place);
     return open;

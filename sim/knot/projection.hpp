@@ -7,7 +7,7 @@
 namespace sim::knot {
 
 /// The diagram seen along `view`. Nothing when that direction is not generic (a crossing at a vertex, three strands
-/// over one point, ...) or has more than `most` crossings: take another. Cost: sorted by x, then every pair of edges
+/// over one point, ...): take another. With more than `most` crossings it is not complete. Cost: sorted by x, then every pair of edges
 /// that overlap in x.
 std::optional<Diagram> project(const Polygons& polygons, const Vec3& view, int most);
 

@@ -11,15 +11,17 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// The plane graph of a diagram, one edge (`missing`) left out. Edge (strand s, index i) leads from passage i to i + 1.
+// The plane graph of a diagram, where asked with one edge (`missing`) left out. Edge (strand s, index i) leads from passage i to i + 1.
 // Dart 2e walks edge e forwards with its left face on the left hand, dart 2e + 1 backwards with its right face there.
 class Faces {
   public:
+    explicit Faces(const Diagram& diagram) : diagram_(diagram) {
+        number_edges();
+        number_rays();
+        number_faces();
+    }
     Faces(const Diagram& diagram, int strand, int index) : diagram_(diagram) {
-        for (const auto& word : diagram.strands) {
-            offset_.push_back(edges_);
-            edges_ += static_cast<int>(word.size());
-        }
+        number_edges();
         missing_ = offset_[at(strand)] + index;
         number_rays();
         number_faces();
@@ -42,6 +44,13 @@ class Faces {
         int edge = 0;
         bool outgoing = false;
     };
+
+    void number_edges() {
+        for (const auto& word : diagram_.strands) {
+            offset_.push_back(edges_);
+            edges_ += static_cast<int>(word.size());
+        }
+    }
 
     void number_rays() {
         spokes_.resize(diagram_.sign.size());
@@ -168,6 +177,70 @@ Diagram lay(const Lifted& lifted, const Faces& faces, const std::vector<int>& wa
     return result;
 }
 
+// How few edges a stretch could cross, laid anew, found on the diagram that it still lies on: its own edges cost nothing.
+class Shortcuts {
+  public:
+    explicit Shortcuts(const Diagram& diagram) : diagram_(diagram), faces_(diagram), first_(at(faces_.count() + 1), 0) {
+        for (int dart = 0; dart < 2 * faces_.edges(); ++dart) ++first_[at(faces_.face_of_dart(dart) + 1)];
+        for (std::size_t f = 1; f < first_.size(); ++f) first_[f] += first_[f - 1];
+        darts_.resize(at(2 * faces_.edges()));
+        std::vector<int> next(first_.begin(), first_.end() - 1);
+        for (int dart = 0; dart < 2 * faces_.edges(); ++dart) darts_[at(next[at(faces_.face_of_dart(dart))]++)] = dart;
+        own_.assign(at(faces_.edges()), 0);
+        seen_.resize(at(faces_.count()));
+    }
+
+    // Whether there is a way with fewer crossings than the stretch has.
+    bool exists(const Stretch& stretch) {
+        const int n = static_cast<int>(diagram_.strands[at(stretch.strand)].size());
+        if (stretch.length >= n) return true;
+        const auto edge = [&](int i) { return faces_.offset(stretch.strand) + (stretch.first + n - 1 + i) % n; };
+        for (int i = 0; i <= stretch.length; ++i) own_[at(edge(i))] = 1;
+        std::fill(seen_.begin(), seen_.end(), 0);
+        here_.clear(), beyond_.clear();
+        reach(faces_.face_of_dart(2 * edge(0)), here_);
+        reach(faces_.face_of_dart(2 * edge(0) + 1), here_);
+        bool found = false;
+        for (int crossed = 0; crossed < stretch.length && !found && !here_.empty(); ++crossed) {
+            spread();
+            found = seen_[at(faces_.face_of_dart(2 * edge(stretch.length)))] || seen_[at(faces_.face_of_dart(2 * edge(stretch.length) + 1))];
+            std::swap(here_, beyond_);
+            std::erase_if(here_, [&](int face) { return seen_[at(face)]; });
+            for (const int face : here_) seen_[at(face)] = 1;
+            beyond_.clear();
+        }
+        for (int i = 0; i <= stretch.length; ++i) own_[at(edge(i))] = 0;
+        return found;
+    }
+
+  private:
+    void reach(int face, std::vector<int>& list) {
+        if (seen_[at(face)]) return;
+        seen_[at(face)] = 1;
+        list.push_back(face);
+    }
+
+    // All that is reached from `here` through own edges is here; what lies behind others is beyond.
+    void spread() {
+        for (std::size_t q = 0; q < here_.size(); ++q)
+            for (int i = first_[at(here_[q])]; i < first_[at(here_[q] + 1)]; ++i) {
+                const int dart = darts_[at(i)], next = faces_.face_of_dart(dart ^ 1);
+                if (seen_[at(next)]) continue;
+                if (own_[at(dart / 2)]) {
+                    reach(next, here_);
+                } else {
+                    beyond_.push_back(next);
+                }
+            }
+    }
+
+    const Diagram& diagram_;
+    Faces faces_;
+    std::vector<int> first_, darts_;  // of each face, the darts around it
+    std::vector<char> own_, seen_;
+    std::vector<int> here_, beyond_;
+};
+
 bool shorten(Diagram& diagram, const Stretch& stretch) {
     Lifted lifted = lift(diagram, stretch);
     if (lifted.index < 0) {
@@ -184,6 +257,7 @@ bool shorten(Diagram& diagram, const Stretch& stretch) {
 }  // namespace
 
 bool shorten_one_stretch(Diagram& diagram) {
+    Shortcuts shortcuts(diagram);
     for (std::size_t s = 0; s < diagram.strands.size(); ++s) {
         const auto& word = diagram.strands[s];
         const int n = static_cast<int>(word.size());
@@ -192,7 +266,8 @@ bool shorten_one_stretch(Diagram& diagram) {
             int length = 1;
             while (length < n && word[at(first + length) % word.size()].over == over) ++length;
             const bool maximal = word[at(first + n - 1) % word.size()].over != over || length == n;
-            if (maximal && shorten(diagram, {static_cast<int>(s), first, length, over})) return true;
+            const Stretch stretch{static_cast<int>(s), first, length, over};
+            if (maximal && shortcuts.exists(stretch) && shorten(diagram, stretch)) return true;
             if (length == n) break;
         }
     }

@@ -28,32 +28,34 @@ std::optional<Throw> throw_of(const Factor& factor) {
 // The strand seen from one side; types of its stretches.
 class Reading {
   public:
-    explicit Reading(OpenDiagram open) : open_(std::move(open)) {}
+    Reading(OpenDiagram open, Work& work) : open_(std::move(open)), work_(&work) {}
 
     int passages() const { return static_cast<int>(open_.positions.size()); }
     double position(int i) const { return open_.positions[at(i)]; }
     const Diagram& diagram() const { return open_.diagram; }
 
     // Type of passages first .. first + count - 1; nothing when it depends on whether the ends are joined above or
-    // below.
-    std::optional<Identity> type(int first, int count) const {
+    // below; if only knots matter, what is none joined above is not looked at below.
+    std::optional<Identity> type(int first, int count, bool only_if_knotted = false) const {
         if (count < 6) return Identity{};  // fewer than three crossings
-        const Identity above = identify(joined_ends(open_.diagram, first, count, true));
+        const Identity above = identify(joined_ends(open_.diagram, first, count, true), *work_);
         if (!above.known) return std::nullopt;
-        const Identity below = identify(joined_ends(open_.diagram, first, count, false));
+        if (only_if_knotted && above.factors.empty()) return above;
+        const Identity below = identify(joined_ends(open_.diagram, first, count, false), *work_);
         return above == below ? std::optional(above) : std::nullopt;
     }
 
   private:
     OpenDiagram open_;
+    Work* work_;
 };
 
 // Views with the fewest crossings first, of those in which the whole strand has its true type.
-std::vector<Reading> readings(const std::vector<Vec3>& strand, const Identity& whole, std::size_t wanted) {
-    constexpr int views = 12, most_crossings = 60;
+std::vector<Reading> readings(const std::vector<Vec3>& strand, const Identity& whole, std::size_t wanted, Work& work) {
+    constexpr int views = 6, most_crossings = 60;
     std::vector<Reading> all;
     for (int i = 0; i < views; ++i)
-        if (auto open = project_open(strand, direction(i), most_crossings)) all.emplace_back(std::move(*open));
+        if (auto open = project_open(strand, direction(i), most_crossings)) all.emplace_back(std::move(*open), work);
     std::stable_sort(all.begin(), all.end(),
                      [](const Reading& a, const Reading& b) { return a.passages() < b.passages(); });
     std::vector<Reading> good;
@@ -173,26 +175,29 @@ std::string surgeons_name(const std::string& throws) {
 constexpr double least_uneven = 0.25;
 
 bool has_knotted_stretch(const Reading& reading) {
-    for (int cut = 6; cut < reading.passages(); ++cut)
+    constexpr int least = 6, cuts = 16;  // a knot that slips is there until its bight is nearly out
+    const int step = std::max(1, (reading.passages() - least) / cuts);
+    for (int cut = least; cut < reading.passages(); cut += step)
         for (const int first : {0, reading.passages() - cut})
-            if (knotted(reading.type(first, cut))) return true;
+            if (knotted(reading.type(first, cut, true))) return true;
     return false;
 }
 
 // Whether cutting the unknotted strand somewhere leaves a knot. Seen from two sides, so that a stretch that only looks
 // knotted from one does not count; and not at all where one side shows fewer crossings than a knot has.
-bool slips(const std::vector<Vec3>& strand, const Identity& whole) {
-    const auto views = readings(strand, whole, 4);
+bool slips(const std::vector<Vec3>& strand, const Identity& whole, Work& work) {
+    const auto views = readings(strand, whole, 4, work);
     if (views.empty() || views.front().passages() < 6) return false;
     return std::count_if(views.begin(), views.end(), has_knotted_stretch) >= 2;
 }
 
 }  // namespace
 
-void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few, const Identity& whole, Name& name) {
+void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few, const Identity& whole, Work& work,
+                   Name& name) {
     if (!whole.certain) return;
     if (whole.factors.empty()) {
-        if (slips(strand, whole)) name.surgical = "slip";
+        if (slips(strand, whole, work)) name.surgical = "slip";
         return;
     }
     std::vector<Throw> throws;
@@ -202,7 +207,7 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
         throws.push_back(*t);
     }
     if (throws.size() > 1) {
-        const auto views = readings(few, whole, 1);
+        const auto views = readings(few, whole, 1, work);
         if (views.empty() || one_after_the_other(views.front())) return;
         const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
         const auto ordered = throws_in_order(views.front(), whole.factors);

@@ -11,6 +11,7 @@ namespace sim::knot {
 /// A throw of n turns is the torus knot T(2, 2n + 1) of its hand and throws add up, so the type gives the throws; their
 /// order comes from the types of stretches that grow from the middle of the loop, the form from how unevenly the two
 /// strands bend (docs/knots.md).
-void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few, const Identity& whole, Name& name);
+void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few, const Identity& whole, Work& work,
+                   Name& name);
 
 }  // namespace sim::knot
