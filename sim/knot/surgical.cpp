@@ -25,6 +25,14 @@ std::optional<Throw> throw_of(const Factor& factor) {
     return std::nullopt;
 }
 
+std::optional<Identity> type_of_stretch(const Diagram& open, int first, int count, bool only_if_knotted, Work& work) {
+    const Identity above = identify(joined_ends(open, first, count, true), work);
+    if (!above.known) return std::nullopt;
+    if (only_if_knotted && above.factors.empty()) return above;
+    const Identity below = identify(joined_ends(open, first, count, false), work);
+    return above == below ? std::optional(above) : std::nullopt;
+}
+
 // The strand seen from one side; types of its stretches.
 class Reading {
   public:
@@ -33,16 +41,13 @@ class Reading {
     int passages() const { return static_cast<int>(open_.positions.size()); }
     double position(int i) const { return open_.positions[at(i)]; }
     const Diagram& diagram() const { return open_.diagram; }
+    Work& work() const { return *work_; }
 
     // Type of passages first .. first + count - 1; nothing when it depends on whether the ends are joined above or
     // below; if only knots matter, what is none joined above is not looked at below.
     std::optional<Identity> type(int first, int count, bool only_if_knotted = false) const {
         if (count < 6) return Identity{};  // fewer than three crossings
-        const Identity above = identify(joined_ends(open_.diagram, first, count, true), *work_);
-        if (!above.known) return std::nullopt;
-        if (only_if_knotted && above.factors.empty()) return above;
-        const Identity below = identify(joined_ends(open_.diagram, first, count, false), *work_);
-        return above == below ? std::optional(above) : std::nullopt;
+        return type_of_stretch(open_.diagram, first, count, only_if_knotted, *work_);
     }
 
   private:
@@ -139,6 +144,57 @@ std::optional<std::vector<Throw>> throws_in_order(const Reading& reading, std::v
     return order;
 }
 
+struct Stretch {
+    int first, count;
+    bool holds(int passage) const { return first < passage && passage < first + count; }
+};
+
+// The shortest stretch that holds both passages of each of its crossings; the whole word at last.
+Stretch shortest_closed_stretch(const Diagram& open) {
+    const auto& word = open.strands.front();
+    const int n = static_cast<int>(word.size());
+    Stretch best{0, n};
+    for (int first = 0; first < n; ++first) {
+        std::vector<char> met(open.sign.size(), 0);
+        int halves = 0;
+        for (int count = 1; count < best.count && first + count <= n; ++count) {
+            char& seen = met[at(word[at(first + count - 1)].crossing)];
+            halves += seen ? -1 : 1;
+            seen = 1;
+            if (halves == 0) best = {first, count};
+        }
+    }
+    return best;
+}
+
+Diagram without_stretch(const Diagram& open, const Stretch& stretch) {
+    std::vector<char> gone(open.sign.size(), 0);
+    for (int k = 0; k < stretch.count; ++k) gone[at(open.strands.front()[at(stretch.first + k)].crossing)] = 1;
+    return without(open, gone);
+}
+
+// The throws from the loop outwards where they are plain to see, each round the one before: the innermost is closed in
+// itself, and when it is taken away the next one is. Nothing where a strand that lies across hides it.
+std::optional<std::vector<Throw>> throws_within_each_other(const Reading& reading) {
+    std::vector<Throw> throws;
+    int innermost = -1;  // where the last throw was
+    for (Diagram open = reading.diagram(); open.crossings() > 0;) {
+        const Stretch stretch = shortest_closed_stretch(open);
+        const auto type = type_of_stretch(open, stretch.first, stretch.count, false, reading.work());
+        if (!type || type->factors.size() > 1) return std::nullopt;
+        if (!type->factors.empty()) {
+            if (innermost >= 0 && !stretch.holds(innermost)) return std::nullopt;
+            const auto found = throw_of(type->factors.front());
+            if (!found) return std::nullopt;
+            throws.push_back(*found);
+        }
+        open = without_stretch(open, stretch);
+        if (!type->factors.empty()) innermost = stretch.first;
+        else if (innermost > stretch.first) innermost -= stretch.holds(innermost) ? innermost - stretch.first : stretch.count;
+    }
+    return throws;
+}
+
 // Tera and Aberg: turns joined by '=' between throws of opposite hands, 'x' between equal ones.
 std::string notation(const std::vector<Throw>& throws) {
     std::string text;
@@ -208,11 +264,17 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
     }
     if (throws.size() > 1) {
         const auto views = readings(few, whole, 1, work);
-        if (views.empty() || one_after_the_other(views.front())) return;
-        const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
-        const auto ordered = throws_in_order(views.front(), whole.factors);
-        if (!ordered && order_matters) return;
-        if (ordered) throws = *ordered;
+        if (views.empty()) return;
+        const auto plain = throws_within_each_other(views.front());
+        if (plain && plain->size() == throws.size()) {
+            throws = *plain;
+        } else {
+            if (one_after_the_other(views.front())) return;
+            const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
+            const auto ordered = throws_in_order(views.front(), whole.factors);
+            if (!ordered && order_matters) return;
+            if (ordered) throws = *ordered;
+        }
         name.flat = unevenness(strand) < least_uneven;
     }
     name.throw_list = throws;
