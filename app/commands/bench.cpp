@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "app/bench/naming.hpp"
 #include "app/bench/print.hpp"
 #include "app/bench/speed.hpp"
 #include "app/bench/stability.hpp"
@@ -21,9 +22,14 @@ bench::Suite stability(bool quick, const bench::Progress& progress) {
     return bench::stability_suite(CARREL_HARD_CASES, quick, progress);
 }
 
+bench::Suite naming(bool quick, const bench::Progress& progress) {
+    return bench::naming_suite(CARREL_CURVES, quick, progress);
+}
+
 constexpr Known suites[] = {
     {"speed", bench::speed_suite},
     {"stability", stability},
+    {"knots", naming},
 };
 
 const Known& suite_of(const BenchOptions& options) {

@@ -96,7 +96,7 @@ double turning(const std::vector<Vec3>& strand, int first, int last) {
 }  // namespace
 
 double unevenness(const std::vector<Vec3>& strand) {
-    constexpr int enough = 100;  // finer chords place neither the loop nor the zones better
+    constexpr int enough = 64;  // finer chords place neither the loop nor the zones better
     const int step = std::max(1, (static_cast<int>(strand.size()) - 2 + enough) / enough);
     const std::vector<Chord> chords = chords_of(strand, step);
     const Crossings crossings(chords);

@@ -101,8 +101,8 @@ Seen best_view(Polygons polygons, Work& work) {
         if (!diagram) continue;
         if (diagram->crossings() > most_crossings) break;  // others would show as many
         if (!best.found) best.projected = diagram->crossings();
-        simplify(*diagram);
         work.spend_on(*diagram);
+        simplify(*diagram);
         if (!best.found || diagram->crossings() < best.diagram.crossings()) best.diagram = std::move(*diagram);
         best.found = true;
         if (best.diagram.crossings() > hopeless_crossings || small_enough(best.diagram)) break;

@@ -1,35 +1,13 @@
 #include "tests/sim/knot/ropes.hpp"
 
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 namespace ropes {
 
 constexpr double pi = std::numbers::pi;
 
-static std::vector<Component> read(const std::string& file, const nlohmann::json& parts) {
-    std::vector<Component> components(parts.size());
-    std::ifstream in(file);
-    std::size_t c = 0;
-    for (std::string line; std::getline(in, line);) {
-        if (line.empty() && c < parts.size() && !components[c].vertices.empty()) ++c;
-        std::istringstream numbers(line.substr(0, line.find('#')));
-        if (double x, y, z; numbers >> x >> y >> z) components.at(c).vertices.emplace_back(x, y, z);
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) components[i].closed = parts[i]["closed"];
-    return components;
-}
-
 std::vector<Labelled> labelled(const std::string& id) {
-    const std::string folder = std::string(CARREL_SOURCE) + "/tests/data/curves/";
-    std::ifstream in(folder + "labels.json");
-    std::vector<Labelled> all;
-    const auto labels = nlohmann::json::parse(in);
-    for (const auto& label : labels["curves"])
-        if (id.empty() || label["id"] == id)
-            all.push_back({label["id"], label, read(folder + label["file"].get<std::string>(), label["components"])});
-    return all;
+    return app::bench::labelled_curves(std::string(CARREL_SOURCE) + "/tests/data/curves", id);
 }
 
 Rope torus_knot(int n) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/curves.hpp"
 #include "app/bench/throws.hpp"
 #include "sim/knot/namer.hpp"
 
@@ -15,11 +16,7 @@ using sim::knot::Component;
 using sim::knot::Vec3;
 using Rope = std::vector<Vec3>;
 
-struct Labelled {
-    std::string id;
-    nlohmann::json label;
-    std::vector<Component> components;
-};
+using Labelled = app::bench::LabelledCurve;
 
 /// All of tests/data/curves/labels.json; only the one named `id` when given.
 std::vector<Labelled> labelled(const std::string& id = "");
