@@ -55,19 +55,24 @@ class Reading {
     Work* work_;
 };
 
-// Views with the fewest crossings first, of those in which the whole strand has its true type.
-std::vector<Reading> readings(const std::vector<Vec3>& strand, const Identity& whole, std::size_t wanted, Work& work) {
+// The strand from several sides, those that show the fewest crossings first.
+std::vector<Reading> views_of(const std::vector<Vec3>& strand, Work& work) {
     constexpr int views = 6, most_crossings = 60;
     std::vector<Reading> all;
     for (int i = 0; i < views; ++i)
         if (auto open = project_open(strand, direction(i), most_crossings)) all.emplace_back(std::move(*open), work);
     std::stable_sort(all.begin(), all.end(),
                      [](const Reading& a, const Reading& b) { return a.passages() < b.passages(); });
+    return all;
+}
+
+// Those of the views in which the whole strand has its true type, as many as are wanted.
+std::vector<Reading> good_ones(std::vector<Reading> views, const Identity& whole, std::size_t wanted) {
     std::vector<Reading> good;
-    for (Reading& reading : all) {
+    for (Reading& reading : views) {
+        if (good.size() == wanted) break;
         const auto type = reading.type(0, reading.passages());
         if (type && *type == whole) good.push_back(std::move(reading));
-        if (good.size() == wanted) break;
     }
     return good;
 }
@@ -242,9 +247,36 @@ bool has_knotted_stretch(const Reading& reading) {
 // Whether cutting the unknotted strand somewhere leaves a knot. Seen from two sides, so that a stretch that only looks
 // knotted from one does not count; and not at all where one side shows fewer crossings than a knot has.
 bool slips(const std::vector<Vec3>& strand, const Identity& whole, Work& work) {
-    const auto views = readings(strand, whole, 4, work);
+    std::vector<Reading> views = views_of(strand, work);
     if (views.empty() || views.front().passages() < 6) return false;
-    return std::count_if(views.begin(), views.end(), has_knotted_stretch) >= 2;
+    const std::vector<Reading> good = good_ones(std::move(views), whole, 4);
+    return std::count_if(good.begin(), good.end(), has_knotted_stretch) >= 2;
+}
+
+// Of those factors that are throws.
+std::vector<Throw> throws_of(const std::vector<Factor>& factors) {
+    std::vector<Throw> throws;
+    for (const Factor& factor : factors)
+        if (const auto t = throw_of(factor)) throws.push_back(*t);
+    return throws;
+}
+
+bool are_the_same(std::vector<Throw> a, std::vector<Throw> b) {
+    const auto before = [](const Throw& s, const Throw& t) { return std::pair(s.turns, s.right_handed) < std::pair(t.turns, t.right_handed); };
+    std::sort(a.begin(), a.end(), before);
+    std::sort(b.begin(), b.end(), before);
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Throw& s, const Throw& t) { return s.turns == t.turns && s.right_handed == t.right_handed; });
+}
+
+// Two throws or more, from the loop outwards; nothing where they do not lie on one loop, or that cannot be told.
+std::optional<std::vector<Throw>> in_order(const std::vector<Throw>& throws, std::vector<Reading> views, const Identity& whole) {
+    for (const Reading& view : views)
+        if (auto plain = throws_within_each_other(view); plain && are_the_same(*plain, throws)) return plain;
+    const auto good = good_ones(std::move(views), whole, 1);
+    if (good.empty() || one_after_the_other(good.front())) return std::nullopt;
+    if (auto found = throws_in_order(good.front(), whole.factors)) return found;
+    const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
+    return order_matters ? std::nullopt : std::optional(throws);
 }
 
 }  // namespace
@@ -256,25 +288,12 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
         if (slips(strand, whole, work)) name.surgical = "slip";
         return;
     }
-    std::vector<Throw> throws;
-    for (const Factor& factor : whole.factors) {
-        const auto t = throw_of(factor);
-        if (!t) return;
-        throws.push_back(*t);
-    }
+    std::vector<Throw> throws = throws_of(whole.factors);
+    if (throws.size() < whole.factors.size()) return;
     if (throws.size() > 1) {
-        const auto views = readings(few, whole, 1, work);
-        if (views.empty()) return;
-        const auto plain = throws_within_each_other(views.front());
-        if (plain && plain->size() == throws.size()) {
-            throws = *plain;
-        } else {
-            if (one_after_the_other(views.front())) return;
-            const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
-            const auto ordered = throws_in_order(views.front(), whole.factors);
-            if (!ordered && order_matters) return;
-            if (ordered) throws = *ordered;
-        }
+        auto ordered = in_order(throws, views_of(few, work), whole);
+        if (!ordered) return;
+        throws = std::move(*ordered);
         name.flat = unevenness(strand) < least_uneven;
     }
     name.throw_list = throws;
