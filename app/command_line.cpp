@@ -67,7 +67,7 @@ void add_motion(CLI::App& program, Chosen& chosen) {
 void add_knot(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("knot", "Names the knots in curve files (one vertex 'x y z' a line, mm)");
     auto options = std::make_shared<KnotOptions>();
-    command->add_option("curves", options->curves, "Curve files")->required();
+    command->add_option("curves", options->curves, "Curve files; - for standard input")->required();
     command->add_flag("--closed", options->closed, "Join the last vertex of every component to its first");
     command->add_option("--around", options->around, "A curve the others are tied round; may be repeated")
         ->expected(1)

@@ -61,9 +61,7 @@ Vec3 vertex_in(std::string_view line, const std::filesystem::path& file, int num
     return 1e-3 * Vec3(x[0], x[1], x[2]);
 }
 
-std::vector<CurveComponent> read_text(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) fail(file, 0, 0, "cannot be opened");
+std::vector<CurveComponent> read_text(std::istream& in, const std::filesystem::path& file) {
     std::vector<CurveComponent> components;
     int number = 0, vertices = 0;
     bool new_component = true;
@@ -108,13 +106,8 @@ std::string Curve::place(int component, int vertex) const {
     return file.string() + (line > 0 ? ":" + std::to_string(line) : ": vertex " + std::to_string(vertex + 1));
 }
 
-Curve load_curve(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) fail(file, 0, 0, "no such file");
-    if (!std::filesystem::is_regular_file(file, ignored))
-        fail(file, 0, 0, "not a file; expected a curve of vertices 'x y z'");
-    const auto ending = file.extension();
-    Curve curve{file, ending == ".ply" || ending == ".obj" ? read_lines(file) : read_text(file)};
+static Curve checked(Curve curve) {
+    const std::filesystem::path& file = curve.file;
     if (curve.components.empty()) fail(file, 0, 0, "holds no vertices; expected one 'x y z' in mm a line");
     for (CurveComponent& component : curve.components) {
         if (component.vertices.size() < 2)
@@ -129,5 +122,19 @@ Curve load_curve(const std::filesystem::path& file) {
     }
     return curve;
 }
+
+Curve load_curve(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) fail(file, 0, 0, "no such file");
+    if (!std::filesystem::is_regular_file(file, ignored))
+        fail(file, 0, 0, "not a file; expected a curve of vertices 'x y z'");
+    const auto ending = file.extension();
+    if (ending == ".ply" || ending == ".obj") return checked({file, read_lines(file)});
+    std::ifstream in(file, std::ios::binary);
+    if (!in) fail(file, 0, 0, "cannot be opened");
+    return read_curve(in, file);
+}
+
+Curve read_curve(std::istream& in, const std::filesystem::path& name) { return checked({name, read_text(in, name)}); }
 
 }  // namespace assets

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <istream>
 #include <vector>
 
 #include "assets/mesh.hpp"
@@ -30,5 +31,8 @@ inline constexpr int most_curve_vertices = 200000;
 /// `.obj`: its `l` elements; `.ply`: its vertices in order, when it has neither faces nor edges.
 /// Throws AssetError "file:line:column: error: what is wrong, what would be right".
 Curve load_curve(const std::filesystem::path& file);
+
+/// The same of text that comes from anywhere; `name` stands for the file in errors.
+Curve read_curve(std::istream& in, const std::filesystem::path& name);
 
 }  // namespace assets

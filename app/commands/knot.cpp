@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
+#include "app/progress.hpp"
 #include "assets/curve.hpp"
 #include "sim/knot/namer.hpp"
 
@@ -21,7 +22,7 @@ struct Answer {
 
 assets::Curve load(const std::string& file) {
     try {
-        return assets::load_curve(file);
+        return file == "-" ? assets::read_curve(std::cin, "standard input") : assets::load_curve(file);
     } catch (const assets::AssetError& error) {
         throw InputFault(error.what());
     }
@@ -106,16 +107,18 @@ void print(const Answer& answer) {
 }  // namespace
 
 int knot_command(const KnotOptions& options) {
+    std::size_t done = 0;
     std::vector<assets::Curve> around;
     for (const std::string& file : options.around) around.push_back(load(file));
-    std::vector<Answer> answers;
-    for (const std::string& file : options.curves) answers.push_back(name(file, around, options.closed));
-    if (!options.json) {
-        std::for_each(answers.begin(), answers.end(), print);
-        return 0;
-    }
     nlohmann::ordered_json all{{"curves", nlohmann::json::array()}};
-    for (const Answer& answer : answers) all["curves"].push_back(to_json(answer));
+    Progress progress(static_cast<double>(options.curves.size()), "curves");
+    for (const std::string& file : options.curves) {  // each is told at once: thousands take a while
+        const Answer answer = name(file, around, options.closed);
+        if (options.json) all["curves"].push_back(to_json(answer));
+        else print(answer);
+        progress.at(static_cast<double>(++done));
+    }
+    if (!options.json) return 0;
     // A file name may hold any bytes; JSON may not.
     std::cout << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;

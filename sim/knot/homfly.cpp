@@ -127,7 +127,7 @@ class Skein {
     std::optional<Polynomial> remembered(const Diagram& diagram) {
         const std::string key = key_of(diagram);
         if (const auto known = memory_.find(key); known != memory_.end()) return known->second;
-        work_.spend_on(diagram);
+        work_.spend_on_skein(diagram);
         if (work_.is_spent()) return std::nullopt;
         std::optional<Polynomial> p = by_skein(diagram);
         if (p) memory_.emplace(key, *p);

@@ -101,7 +101,7 @@ Seen best_view(Polygons polygons, Work& work) {
         if (!diagram) continue;
         if (diagram->crossings() > most_crossings) break;  // others would show as many
         if (!best.found) best.projected = diagram->crossings();
-        work.spend_on(*diagram);
+        work.spend_on_simplifying(*diagram);
         simplify(*diagram);
         if (!best.found || diagram->crossings() < best.diagram.crossings()) best.diagram = std::move(*diagram);
         best.found = true;
