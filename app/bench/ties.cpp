@@ -66,10 +66,12 @@ struct Play {
 
     void move(double on) { add(pull.hands.move(thread, way(0, on), way(1, on))); }
 
-    // What lets go stays off for a while and grasps farther in; the other hand wobbles meanwhile.
+    // What lets go stays off for a while and grasps farther in; the other hand wobbles meanwhile, by no more than half a
+    // tail: farther it could draw the free end out of the knot, which then is untied and rightly so.
     void let_go_and_regrasp() {
         pull.hands.let_go(tie.let_go);
-        for (int i = 0; i < tie.pause; ++i) move(0);
+        const double may_go = 0.5 * tail * thread.rest_lengths()[0], step = tie.speed * tick * tie.wobble;
+        for (int i = 0; i < tie.pause && i * step < may_go; ++i) move(0);
         const int in = static_cast<int>(tie.regrasp_in * tail), last = static_cast<int>(thread.nodes().size()) - 1;
         pull.hands.grasp(thread, tie.let_go, tie.let_go == 0 ? in : last - in);
     }
