@@ -1,5 +1,4 @@
 #pragma once
-#include <cmath>
 #include <optional>
 
 #include "sim/knot/diagram.hpp"
@@ -11,8 +10,10 @@ namespace sim::knot {
 /// its crossings, one that is simplified a hundredth of their cube.
 struct Work {
     double left = 200000;
-    void spend_on_skein(const Diagram& diagram) { left -= std::pow(diagram.crossings(), 2); }
-    void spend_on_simplifying(const Diagram& diagram) { left -= 0.01 * std::pow(diagram.crossings(), 3); }
+    void spend_on_skein(const Diagram& diagram) { left -= 1.0 * diagram.crossings() * diagram.crossings(); }
+    void spend_on_simplifying(const Diagram& diagram) {
+        left -= 0.01 * diagram.crossings() * diagram.crossings() * diagram.crossings();
+    }
     bool is_spent() const { return left < 0; }
 };
 
