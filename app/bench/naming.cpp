@@ -1,6 +1,7 @@
 #include "app/bench/naming.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "app/bench/capsized.hpp"
 #include "app/bench/core.hpp"
@@ -11,6 +12,7 @@
 #include "app/bench/loop.hpp"
 #include "app/bench/random.hpp"
 #include "app/bench/stopwatch.hpp"
+#include "app/bench/ties.hpp"
 #include "sim/knot/namer.hpp"
 
 namespace app::bench {
@@ -178,6 +180,30 @@ void add_capsized(Suite& suite, bool quick) {
     suite.rows.push_back(share("capsized-right", words + "one strand pulled straight: called capsized", capsized / static_cast<double>(pulls), 0.95));
 }
 
+// Names of knots being tied, 50 a second: none ever changes, for the thread never passes through itself and ends are led out
+// straight. A flicker is a name for less than 50 ms between two that are equal.
+void add_ties(Suite& suite, bool quick) {
+    constexpr int period = 20;  // [ticks]
+    const int seeds = quick ? 3 : 300;
+    int names = 0, other = 0, flickers = 0;
+    for (int seed = 0; seed < seeds; ++seed) {
+        int tick = 0;
+        std::string was[2], expected;
+        ties(static_cast<std::uint64_t>(seed), [&](const Thread& thread, int first, int last) {
+            if (tick++ % period != 0) return;
+            const std::string now = name_between(thread, first, last);
+            if (expected.empty()) expected = now;
+            ++names;
+            other += now != expected;
+            flickers += now == was[0] && now != was[1];
+            was[0] = std::exchange(was[1], now);
+        });
+    }
+    const std::string words = std::to_string(names) + " names of " + std::to_string(seeds) + " seeded ties: ";
+    suite.rows.push_back(count("ties-other", words + "others than at first, or not certain", other, 0));
+    suite.rows.push_back(count("ties-flickers", words + "there between two equal ones for less than 50 ms", flickers, 0));
+}
+
 // What a name costs by the number of vertices: a square knot, its edges cut.
 void add_growth(Suite& suite, const std::vector<LabelledCurve>& curves) {
     constexpr int times = 5;
@@ -211,6 +237,7 @@ Suite naming_suite(const std::filesystem::path& folder, bool quick, const Progre
     step("vertices", [&] { add_growth(suite, curves); });
     step("random polygons", [&] { add_polygons(suite, quick); });
     step("flat and capsized", [&] { add_capsized(suite, quick); });
+    step("seeded ties", [&] { add_ties(suite, quick); });
     step("attitudes", [&] { add_turned(suite, curves, quick); });
     return suite;
 }

@@ -44,8 +44,8 @@ Tie tie_of(std::uint64_t seed) {
 namespace {
 
 struct Play {
-    Play(const Tie& the_tie, const Loose& start)
-        : tie(the_tie), tail(start.tail), thread({.friction = tie.friction, .friction_tool = tie.friction}, start.nodes),
+    Play(const Tie& the_tie, const Loose& start, const EachTick& each_tick)
+        : tie(the_tie), each(each_tick), tail(start.tail), thread({.friction = tie.friction, .friction_tool = tie.friction}, start.nodes),
             pull(thread),
           across(pull.away.unitOrthogonal()), slack(taken_up(thread)) {}
 
@@ -64,7 +64,11 @@ struct Play {
         return tie.speed * tick * ((hand == 0 ? -on : on) * pull.away + tie.wobble * sideways);
     }
 
-    void move(double on) { add(pull.hands.move(thread, way(0, on), way(1, on))); }
+    void move(double on) {
+        add(pull.hands.move(thread, way(0, on), way(1, on)));
+        const int last = static_cast<int>(thread.nodes().size()) - 1;
+        if (each) each(thread, std::max(0, pull.hands.hands[0].node), pull.hands.holds(1) ? pull.hands.hands[1].node : last);
+    }
 
     // What lets go stays off for a while and grasps farther in; the other hand wobbles meanwhile, by no more than half a
     // tail: farther it could draw the free end out of the knot, which then is untied and rightly so.
@@ -100,6 +104,7 @@ struct Play {
     }
 
     Tie tie;
+    const EachTick& each;
     int tail;
     Thread thread;
     Apart pull;
@@ -110,11 +115,11 @@ struct Play {
 
 }  // namespace
 
-Tied ties(std::uint64_t seed) {
+Tied ties(std::uint64_t seed, const EachTick& each) {
     constexpr int most_ticks = 300;
     const Tie tie = tie_of(seed);
     const double radius = ThreadDef{}.radius;
-    Play play(tie, loose_thread(tie.knot, tie.links, radius / tie.radius_per_link, radius));
+    Play play(tie, loose_thread(tie.knot, tie.links, radius / tie.radius_per_link, radius), each);
     const int last = static_cast<int>(play.thread.nodes().size()) - 1;
     play.tied.before = name_between(play.thread, 0, last);
     if (tie.let_go >= 0) {

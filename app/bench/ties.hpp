@@ -6,6 +6,7 @@
 
 #include "app/bench/knots.hpp"
 #include "app/bench/row.hpp"
+#include "sim/thread/thread.hpp"
 
 namespace app::bench {
 
@@ -37,8 +38,9 @@ struct Tied {
     bool good() const { return pass_throughs == 0 && !changed(); }
 };
 
-/// The same seed gives the same bits.
-Tied ties(std::uint64_t seed);
+/// The same seed gives the same bits. `each` sees the thread after every tick, and where it is held or would be.
+using EachTick = std::function<void(const sim::thread::Thread&, int first, int last)>;
+Tied ties(std::uint64_t seed, const EachTick& each = {});
 
 /// One line on a seed that went wrong.
 std::string words(std::uint64_t seed, const Tie& tie, const Tied& tied);
