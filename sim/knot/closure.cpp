@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/knot/arc.hpp"
 #include "sim/knot/curve.hpp"
 
 namespace sim::knot {
@@ -39,26 +40,6 @@ std::optional<Vec3> way_out(const Strands& strands, std::size_t strand, bool fir
 }
 
 constexpr double outside = 2.0;  // everything lies within sqrt(3)/2 of the origin
-
-Vec3 at_radius(const Vec3& from, const Vec3& along, double radius) {
-    const double b = from.dot(along), c = from.squaredNorm() - radius * radius;
-    return from + (std::sqrt(b * b - c) - b) * along;
-}
-
-// Points on the sphere from a to b on the great circle, no more than 60 degrees apart: the chords stay outside 0.86
-// of the radius.
-void append_arc(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, double radius) {
-    Vec3 half = a + b;
-    if (half.norm() < 0.1 * radius) half = a.unitOrthogonal();
-    half = radius * half.normalized();
-    if (a.dot(half) < 0.5 * radius * radius) {
-        append_arc(points, a, half, radius);
-        points.push_back(half);
-        append_arc(points, half, b, radius);
-    } else if (a.dot(b) < 0.5 * radius * radius) {
-        points.push_back(half);
-    }
-}
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/knot/hitch.hpp"
 #include "sim/knot/homfly.hpp"
 #include "sim/knot/identify.hpp"
 #include "sim/knot/surgical.hpp"
@@ -177,7 +178,9 @@ LinkName name_link(const std::vector<Component>& components) {
             candidates.push_back(other.name.knot);
     }
     if (candidates.size() > 1) name.certain = false, name.candidates = candidates;
-    if (!components.front().closed && closing.first.known) read_surgical(strands.front(), few.front(), closing.first, work, name);
+    if (components.front().closed || !closing.first.known) return closing.link;
+    if (components.size() == 2 && closing.first.factors.empty() && name.certain) name.surgical = hitch(name.knot, strands, closed, ways, work);
+    if (name.surgical.empty()) read_surgical(strands.front(), few.front(), closing.first, work, name);
     return closing.link;
 }
 
