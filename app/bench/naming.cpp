@@ -8,6 +8,7 @@
 #include "app/bench/curves.hpp"
 #include "app/bench/gauge.hpp"
 #include "app/bench/hands.hpp"
+#include "app/bench/hitches.hpp"
 #include "app/bench/knots.hpp"
 #include "app/bench/loop.hpp"
 #include "app/bench/random.hpp"
@@ -39,7 +40,7 @@ struct Tally {
         const LinkName found = name(components);
         ++all;
         if (found.name.knot == "unknown" || !found.name.certain) ++unknown;
-        else wrong += found.name.knot != expected.name.knot || found.name.throws != expected.name.throws || (has_form && found.name.flat != expected.name.flat);
+        else wrong += found.name.knot != expected.name.knot || found.name.surgical != expected.name.surgical || found.name.throws != expected.name.throws || (has_form && found.name.flat != expected.name.flat);
     }
 };
 
@@ -55,7 +56,7 @@ Row time(std::string id, std::string what, double us, std::optional<double> boun
 
 void add_wrong(Suite& suite, const std::string& id, const std::string& what, const Tally& tally) {
     const std::string words = std::to_string(tally.all) + ' ' + what;
-    suite.rows.push_back(count(id + "-wrong", words + ": another name, other throws or form", tally.wrong, 0));
+    suite.rows.push_back(count(id + "-wrong", words + ": another name, surgically too, other throws or form", tally.wrong, 0));
     suite.rows.push_back(count(id + "-unknown", words + ": unknown or not certain", tally.unknown, 0));
 }
 
@@ -204,6 +205,15 @@ void add_ties(Suite& suite, bool quick) {
     suite.rows.push_back(count("ties-flickers", words + "there between two equal ones for less than 50 ms", flickers, 0));
 }
 
+// The seed's figures, and the other hitches, tied by the simulator.
+void add_on_bar(Suite& suite, const std::filesystem::path& folder) {
+    for (const std::string& curve : curves_on_bar()) {
+        const OnBar tied = hitch_on_bar(folder, curve);
+        const std::string words = tied.expected + " pulled tight round a bar: other names of " + std::to_string(tied.names);
+        suite.rows.push_back(count("on-bar-" + tied.curve, words, tied.other + tied.pass_throughs, 0));
+    }
+}
+
 // What a name costs by the number of vertices: a square knot, its edges cut.
 void add_growth(Suite& suite, const std::vector<LabelledCurve>& curves) {
     constexpr int times = 5;
@@ -238,6 +248,7 @@ Suite naming_suite(const std::filesystem::path& folder, bool quick, const Progre
     step("random polygons", [&] { add_polygons(suite, quick); });
     step("flat and capsized", [&] { add_capsized(suite, quick); });
     step("seeded ties", [&] { add_ties(suite, quick); });
+    step("hitches round a bar", [&] { add_on_bar(suite, folder); });
     step("attitudes", [&] { add_turned(suite, curves, quick); });
     return suite;
 }

@@ -75,6 +75,7 @@ nlohmann::ordered_json to_json(const Answer& answer) {
         j["surgical"] = nullptr;
     } else {
         j["surgical"] = nlohmann::ordered_json{{"name", n.surgical}, {"throws", n.throws}, {"flat", n.flat}};
+        if (!n.flat) j["surgical"]["half_hitches"] = n.half_hitches;
     }
     const nlohmann::json left = n.crossings_reduced < 0 ? nlohmann::json() : nlohmann::json(n.crossings_reduced);
     j["crossings"] = nlohmann::ordered_json{{"projected", n.crossings_projected}, {"reduced", left}};
@@ -94,7 +95,7 @@ void print(const Answer& answer) {
     if (n.knot == "unknown" && n.crossings_reduced < 0) std::cout << " (too many crossings to count)";
     if (n.knot == "unknown" && n.crossings_reduced >= 0) std::cout << " (" << n.crossings_reduced << " crossings left)";
     if (!n.surgical.empty()) std::cout << ", " << n.surgical;
-    if (!n.throws.empty()) std::cout << " (" << n.throws << ")" << (n.flat ? "" : ", capsized");
+    if (!n.throws.empty()) std::cout << " (" << n.throws << ")" << (n.flat ? "" : ", capsized: half hitches " + n.half_hitches);
     if (!n.certain && !n.candidates.empty()) {
         std::cout << ", not certain:";
         for (const std::string& c : n.candidates) std::cout << ' ' << c;

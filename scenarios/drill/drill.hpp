@@ -19,7 +19,7 @@ struct Band {
 
 /// What the thread must be at the end.
 struct Goal {
-    std::string tie;       ///< "square", "granny", "surgeons", "overhand", "slip".
+    std::string tie;       ///< "square", "surgeons", "slip", "clove hitch", ... as sim::knot::Name::surgical.
     std::string around;    ///< Name of a vessel, or empty.
     int throws = 0;        ///< Number of throws asked for, or 0.
     std::string notation;  ///< Throws in notation asked for ("2=1"), or empty.

@@ -136,7 +136,8 @@ Shape goal() {
     throws.pattern_words = "turns of each throw joined by '=' (reversed) or 'x' (same way), such as \"2=1\"";
     return group(
         "What the thread must be at the end.",
-        {{"tie", choice("Knot.", {"square", "granny", "surgeons", "overhand", "slip"}), true},
+        {{"tie", choice("Knot, or hitch round a vessel.", {"square", "granny", "surgeons", "overhand", "slip", "figure-eight", "bowline",
+                  "clove hitch", "constrictor", "cow hitch", "prusik"}), true},
          {"around", name("Vessel that the thread goes around.")},
          {"throws", throws},
          {"tails_mm", list("Shortest and longest tail allowed.", 2, 2, quantity("Length of a tail.", 0, 1000, "mm"))}});

@@ -160,6 +160,17 @@ void score_around(const Goal& goal, const world::Measures& measures, std::vector
     items.push_back(item);
 }
 
+// Shown, not judged.
+void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
+    if (measures.knot.factors.empty()) return;
+    const auto show = [&](const char* name, const char* title, double mm) {
+        items.push_back(judged({name, title, "mm", mm, 2, measures.knot_since_s, "", ""}, {}));
+    };
+    show("loop", "Thread in the loop", measures.loop_mm);
+    show("knot_thread", "Thread in the knot", measures.knot_mm);
+    if (measures.off_tissue_mm >= 0) show("off_tissue", "Knot off the vessel", measures.off_tissue_mm);
+}
+
 void score_tools(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     const auto& tools = drill.world.instruments;
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -205,6 +216,7 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
         score_tails(goal, measures, items);
         score_around(goal, measures, items);
     }
+    score_lie(measures, items);
     items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
                             "The drill took longer than allowed.", "The drill was ended before a tie can be done."},
                            drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));

@@ -13,31 +13,6 @@ void raise(Moment& largest, double value, double at_s) {
     if (value > largest.value) largest = {value, at_s};
 }
 
-// Shortest stretch of the thread, grown from whichever end, that still holds the whole knot: where the knot is.
-struct Place {
-    std::size_t first, last;  ///< Nodes.
-};
-
-Place place_of(const std::vector<Vec3>& nodes, const std::string& knot) {
-    const auto still_knotted = [&](std::size_t first, std::size_t last) {
-        return sim::knot::name_knot(std::vector<Vec3>(nodes.begin() + static_cast<std::ptrdiff_t>(first),
-                                                      nodes.begin() + static_cast<std::ptrdiff_t>(last) + 1))
-                   .knot == knot;
-    };
-    Place place{0, nodes.size() - 1};
-    for (std::size_t step = nodes.size() / 2; step > 0; step /= 2) {
-        while (place.first + step + 1 < place.last && still_knotted(place.first + step, place.last)) place.first += step;
-        while (place.last > place.first + step + 1 && still_knotted(place.first, place.last - step)) place.last -= step;
-    }
-    return place;
-}
-
-double length_mm(std::span<const double> rest, std::size_t first, std::size_t last) {
-    double length = 0;
-    for (std::size_t k = first; k < last; ++k) length += rest[k];
-    return 1e3 * length;
-}
-
 }  // namespace
 
 double World::tension_at(int node) const {
@@ -92,49 +67,22 @@ void World::name_beside() {
     if (naming_.valid() && ticks_ % period == delay) take_name(naming_.get());
     if (ticks_ % period != 0 || !moved_since_named_) return;
     moved_since_named_ = false;
-    naming_ = std::async(std::launch::async, [curve = copy_of(thread_.nodes())] { return sim::knot::name_knot(curve); });
+    naming_ = std::async(std::launch::async, [curve = copy_of(thread_.nodes()), cores = cores_] { return sim::knot::name_among(curve, cores); });
 }
 
 void World::name_knot_now() {
     if (naming_.valid()) naming_.get();  // out of date
     moved_since_named_ = false;
-    take_name(sim::knot::name_knot(copy_of(thread_.nodes())));
+    take_name(sim::knot::name_among(copy_of(thread_.nodes()), cores_));
 }
 
-void World::take_name(sim::knot::Name name) {
-    if (name.knot != measures_.knot.knot || name.surgical != measures_.knot.surgical) {
-        log("knot", name.surgical.empty() ? name.knot : name.surgical, 0);
+void World::take_name(sim::knot::Tied tied) {
+    if (tied.name.knot != measures_.knot.knot || tied.name.surgical != measures_.knot.surgical) {
+        log("knot", tied.name.surgical.empty() ? tied.name.knot : tied.name.surgical, 0);
         measures_.knot_since_s = time_s();
     }
-    measures_.knot = std::move(name);
-}
-
-void World::locate_knot() {
-    measures_.tail_mm = {0, 0};
-    measures_.around.clear();
-    if (measures_.knot.factors.empty()) return;
-    const std::vector<Vec3> curve = copy_of(thread_.nodes());
-    const Place place = place_of(curve, measures_.knot.knot);
-    measures_.tail_mm = {length_mm(thread_.rest_lengths(), 0, place.first),
-                         length_mm(thread_.rest_lengths(), place.last, curve.size() - 1)};
-    for (const VesselDef& vessel : def_.vessels)
-        if (turns_around(vessel, curve, place.first, place.last) != 0) measures_.around.push_back(vessel.name);
-}
-
-// Signed passages of the stretch [first, last] through the half plane that hangs from the vessel's axis: once round is +-1.
-int World::turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
-    const Vec3 axis = vessel.axis.normalized();
-    const Vec3 across = axis.cross(std::abs(axis.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).normalized();
-    const Vec3 up = across.cross(axis);
-    int turns = 0;
-    for (std::size_t i = first; i < last; ++i) {
-        const Vec3 a = curve[i] - vessel.centre, b = curve[i + 1] - vessel.centre;
-        const double ya = a.dot(across), yb = b.dot(across);
-        if ((ya < 0) == (yb < 0)) continue;
-        const double height = a.dot(up) + ya / (ya - yb) * (b - a).dot(up);
-        if (height < 0) turns += yb > ya ? 1 : -1;
-    }
-    return turns;
+    measures_.knot = std::move(tied.name);
+    measures_.hitched_to = tied.round;
 }
 
 }  // namespace scenarios::world

@@ -15,9 +15,13 @@ struct Moment {
 
 /// What has been measured of the session so far. One entry per instrument where it says so.
 struct Measures {
-    sim::knot::Name knot;                      ///< Now, of the thread alone.
+    sim::knot::Name knot;                      ///< Now, of the thread alone; a hitch, of the thread round a vessel.
+    int hitched_to = -1;                       ///< That vessel.
     double knot_since_s = 0;                   ///< When it took this name.
     std::vector<double> tail_mm;               ///< Two: from the knot to the first and to the last node; 0,0 if no knot.
+    double loop_mm = 0;                        ///< Thread in the loop between the knot's two strands.
+    double knot_mm = 0;                        ///< Thread in those strands: the less, the tighter.
+    double off_tissue_mm = -1;                 ///< From the knot to the tube it goes round; -1 where it goes round none.
     std::vector<std::string> around;           ///< Vessels that the knot's loop goes round.
     double duration_s = 0;
     std::vector<double> path_mm;               ///< Per instrument, commanded path of the tip.

@@ -30,6 +30,10 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
         tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
         tools_.back().grasps.reserve(16);
     }
+    for (const VesselDef& vessel : def.vessels) {  // beyond the thread at either end, wherever it lies
+        const Vec3 half = (0.5 * vessel.length + def.thread.length) * vessel.axis.normalized();
+        cores_.push_back({vessel.centre - half, vessel.centre, vessel.centre + half});
+    }
     const std::size_t tools = tools_.size();
     measures_.tail_mm.assign(2, 0);
     measures_.path_mm.assign(tools, 0);

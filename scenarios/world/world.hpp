@@ -72,7 +72,7 @@ class World {
     /// Names the knot as the thread lies now; for the end of a session. Before that, ten times a second, the name of 20 ticks
     /// ago is in measures().
     void name_knot_now();
-    /// Where that knot is: tails, and the vessels it goes round. Names many pieces of the thread: for the end of a session.
+    /// Where that knot is and how it lies: tails, loop, the vessels it goes round, how far from them. Names many pieces of the thread: for the end of a session.
     void locate_knot();
 
   private:
@@ -84,7 +84,8 @@ class World {
     void let_grasps_slip();
     void measure(const sim::thread::TickReport& report);
     void name_beside();
-    void take_name(sim::knot::Name name);
+    void take_name(sim::knot::Tied tied);
+    void measure_knot(const std::vector<sim::geometry::Vec3>& curve, std::size_t first, std::size_t last);
 
     void take_hold(Tool& tool);
     bool is_held(int node) const;
@@ -109,7 +110,8 @@ class World {
     std::uint64_t ticks_ = 0, substeps_ = 0;
     double tension_now_ = 0, stretch_now_ = 0;
     bool moved_since_named_ = true;
-    std::future<sim::knot::Name> naming_;
+    std::future<sim::knot::Tied> naming_;
+    std::vector<std::vector<sim::geometry::Vec3>> cores_;  // of the vessels
 };
 
 }  // namespace scenarios::world

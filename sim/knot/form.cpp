@@ -93,17 +93,45 @@ double turning(const std::vector<Vec3>& strand, int first, int last) {
     return total;
 }
 
-}  // namespace
+// Where the two halves of a strand cross each other, in its vertices.
+struct Halves {
+    int first, loop_first, loop_last, last;
+};
 
-double unevenness(const std::vector<Vec3>& strand) {
+Halves halves_of(const std::vector<Vec3>& strand) {
     constexpr int enough = 64;  // finer chords place neither the loop nor the zones better
-    const int step = std::max(1, (static_cast<int>(strand.size()) - 2 + enough) / enough);
+    const int vertices = static_cast<int>(strand.size()), step = std::max(1, (vertices - 2 + enough) / enough);
     const std::vector<Chord> chords = chords_of(strand, step);
     const Crossings crossings(chords);
     const int middle = crossings.middle_of_loop(), count = static_cast<int>(chords.size());
-    const auto turning_in = [&](const Crossings::Zone& zone) { return turning(strand, step * zone.first, step * zone.last); };
-    const double a = turning_in(crossings.zone(0, middle, middle, count)), b = turning_in(crossings.zone(middle, count, 0, middle));
+    const auto a = crossings.zone(0, middle, middle, count), b = crossings.zone(middle, count, 0, middle);
+    const auto vertex = [&](int chord) { return std::min(step * chord, vertices - 1); };
+    return {vertex(a.first), vertex(a.last), vertex(b.first), vertex(b.last)};
+}
+
+double length(const std::vector<Vec3>& strand, int first, int last) {
+    double sum = 0;
+    for (int i = first; i < last; ++i) sum += (strand[at(i + 1)] - strand[at(i)]).norm();
+    return sum;
+}
+
+}  // namespace
+
+double unevenness(const std::vector<Vec3>& strand) {
+    const Halves halves = halves_of(strand);
+    const double a = turning(strand, halves.first, halves.loop_first), b = turning(strand, halves.loop_last, halves.last);
     return a + b > 0 ? std::abs(a - b) / (a + b) : 0;
+}
+
+Extent extent(const std::vector<Vec3>& strand) {
+    const Halves rough = halves_of(strand);
+    const int margin = (rough.last - rough.first) / 8, from = std::max(0, rough.first - margin);
+    const auto to = std::min(strand.size(), at(rough.last + margin + 1));
+    const std::vector<Vec3> knot(strand.begin() + from, strand.begin() + static_cast<std::ptrdiff_t>(to));
+    const Halves fine = halves_of(knot);
+    const double before = length(strand, 0, from);
+    const auto at_vertex = [&](int vertex) { return before + length(knot, 0, vertex); };
+    return {at_vertex(fine.first), at_vertex(fine.loop_first), at_vertex(fine.loop_last), at_vertex(fine.last)};
 }
 
 }  // namespace sim::knot

@@ -15,4 +15,16 @@ using geometry::Vec3;
 /// nine tenths of that are. Neither size nor attitude matters. Cost: 64 chords with each other, 30 us.
 double unevenness(const std::vector<Vec3>& strand);
 
+/// Where the knot of a strand is, in lengths along the strand from its first end: one strand of the knot from `first` to
+/// `loop_first`, the loop, the other strand from `loop_last` to `last`. Found as for unevenness, to a sixtieth of knot and
+/// loop; it means little where there is no knot.
+struct Extent {
+    double first, loop_first, loop_last, last;
+
+    double loop() const { return loop_last - loop_first; }
+    double knot() const { return last - first - loop(); }  ///< Both strands.
+    bool holds(double at) const { return (first <= at && at <= loop_first) || (loop_last <= at && at <= last); }
+};
+Extent extent(const std::vector<Vec3>& strand);
+
 }  // namespace sim::knot

@@ -17,10 +17,12 @@ using Strand = std::vector<Vec3>;
 // Type with the rope's ends joined to each other, and one of those with them joined to the pole's; either may be all mirrored.
 struct Hitch {
     const char *name, *link, *link_mirrored, *crosswise, *crosswise_mirrored;
+
+    bool is_of(const std::string& type) const { return type == link || type == link_mirrored; }
 };
-constexpr std::array<Hitch, 9> hitches{{{"turn", "L2a1", "mL2a1", "", ""},
+constexpr std::array<Hitch, 9> hitches{{{"single turn", "L2a1", "mL2a1", "", ""},
                                         {"round turn", "L4a1", "mL4a1", "", ""},
-                                        {"three turns", "L6a3", "mL6a3", "", ""},
+                                        {"round turn", "L6a3", "mL6a3", "", ""},
                                         {"clove hitch", "L6a1", "mL6a1", "3_1#3_1", "m3_1#m3_1"},
                                         {"constrictor", "L9n11", "mL9n11", "8_21", "m8_21"},
                                         {"cow hitch", "unlink", "unlink", "3_1#m3_1", "3_1#m3_1"},
@@ -118,24 +120,36 @@ Strand crosswise(const Strand& rope, const Strand& pole, double inner, double ou
     return polygon;
 }
 
-std::vector<std::string> crosswise_types(const Ball& ball, Work& work) {
-    std::vector<std::string> types;
+std::vector<Polygons> crosswise(const Ball& ball) {
+    std::vector<Polygons> knots;
     const Strand reversed(ball.pole.rbegin(), ball.pole.rend());
     const double one = 2 * ball.radius, other = 4 * ball.radius;  // chords stay outside 0.86 of these
     for (const Strand* pole : {&ball.pole, &reversed})
-        for (const auto& [inner, outer] : {std::pair(one, other), std::pair(other, one)}) {
-            const Seen seen = best_view({crosswise(ball.rope, *pole, inner, outer)}, work);
-            if (seen.found) types.push_back(identify(seen.diagram, work).name());
+        for (const auto& [inner, outer] : {std::pair(one, other), std::pair(other, one)})
+            knots.push_back({crosswise(ball.rope, *pole, inner, outer)});
+    return knots;
+}
+
+// The first hitch of this link that one of the knots shows. What takes many views to become small is looked at last: the other
+// way round may be too large for any, of 14 crossings for a prusik of three wraps.
+std::string shown_by(const std::string& link, const std::vector<Polygons>& knots) {
+    for (const int views : {1, most_views})
+        for (const Polygons& knot : knots) {
+            Work work;
+            const Seen seen = best_view(knot, work, views);
+            if (!seen.found || !small_enough(seen.diagram)) continue;
+            const std::string type = identify(seen.diagram, work).name();
+            for (const Hitch& h : hitches)
+                if (h.is_of(link) && (type == h.crosswise || type == h.crosswise_mirrored)) return h.name;
         }
-    return types;
+    return "";
 }
 
 }  // namespace
 
 std::string hitch(const std::string& link, const Polygons& rope_and_pole, const std::vector<bool>& closed,
-                  const std::vector<Ways>& ways, Work& work) {
-    const auto of_this_link = [&](const Hitch& h) { return link == h.link || link == h.link_mirrored; };
-    const auto known = std::find_if(hitches.begin(), hitches.end(), of_this_link);
+                  const std::vector<Ways>& ways) {
+    const auto known = std::find_if(hitches.begin(), hitches.end(), [&](const Hitch& h) { return h.is_of(link); });
     if (known == hitches.end()) return "";
     if (!*known->crosswise) return known->name;
     Strand rope = led_out(rope_and_pole[0], closed[0], ways[0]), pole = led_out(rope_and_pole[1], closed[1], ways[1]);
@@ -143,11 +157,11 @@ std::string hitch(const std::string& link, const Polygons& rope_and_pole, const 
     for (Strand* strand : {&rope, &pole})
         for (Vec3& p : *strand) p -= centre;
     const auto ball = ball_about(rope, pole, closed[1]);
-    if (!ball) return "";
-    for (const std::string& type : crosswise_types(*ball, work))
-        for (const Hitch& h : hitches)
-            if (of_this_link(h) && (type == h.crosswise || type == h.crosswise_mirrored)) return h.name;
-    return "";
+    return ball ? shown_by(link, crosswise(*ball)) : "";
+}
+
+bool holds_by_itself(const std::string& name) {
+    return std::any_of(hitches.begin(), hitches.end(), [&](const Hitch& h) { return *h.crosswise && name == h.name; });
 }
 
 }  // namespace sim::knot

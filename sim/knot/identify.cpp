@@ -1,8 +1,10 @@
 #include "sim/knot/identify.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/knot/colouring.hpp"
+#include "sim/knot/loosen.hpp"
 #include "sim/knot/projection.hpp"
 #include "sim/knot/table.hpp"
 
@@ -16,6 +18,9 @@ constexpr int certain_crossings = 10, certain_unknot_crossings = 24;
 
 // Beyond this a diagram is not taken further: no view has ever brought such a tangle to a name.
 constexpr int hopeless_crossings = 100;
+
+// Diagrams that are nearly small enough after a few views are loosened, which takes away few crossings.
+constexpr int stubborn_crossings = 16, few_views = 1;
 
 bool fits(const Diagram& knot, Group group, const std::vector<std::vector<int>>& vectors) {
     const auto found = colouring_vector(knot, group);
@@ -52,16 +57,6 @@ void add(Identity& whole, const Identity& part) {
     whole.crossings += part.crossings;
 }
 
-bool small_enough(Diagram diagram) {
-    const std::vector<Summand> summands = cut_summands(diagram);
-    const auto small = [](const Summand& s) { return s.diagram.crossings() <= certain_crossings; };
-    if (!std::all_of(summands.begin(), summands.end(), small)) return false;
-    const auto pieces = split_pieces(diagram);
-    // The table of links ends at nine crossings.
-    return std::all_of(pieces.begin(), pieces.end(),
-                       [](const Piece& p) { return p.diagram.crossings() < certain_crossings; });
-}
-
 }  // namespace
 
 std::string Identity::name() const {
@@ -89,10 +84,20 @@ Identity identify(Diagram knot, Work& work) {
     return whole;
 }
 
-Seen best_view(Polygons polygons, Work& work) {
-    // 24 views bring 99 of 100 curves to their least crossings, the first does for most.
-    constexpr int views = 24, most_vertices = 3000, most_crossings = 3000;
+bool small_enough(Diagram diagram) {
+    const std::vector<Summand> summands = cut_summands(diagram);
+    const auto small = [](const Summand& s) { return s.diagram.crossings() <= certain_crossings; };
+    if (!std::all_of(summands.begin(), summands.end(), small)) return false;
+    const auto pieces = split_pieces(diagram);
+    // The table of links ends at nine crossings.
+    return std::all_of(pieces.begin(), pieces.end(),
+                       [](const Piece& p) { return p.diagram.crossings() < certain_crossings; });
+}
+
+Seen best_view(Polygons polygons, Work& work, int views) {
+    constexpr int most_vertices = 3000, most_crossings = 3000;
     Seen best;
+    bool loosened = false;
     drop_empty_triangles(polygons);
     std::size_t vertices = 0;
     for (const auto& polygon : polygons) vertices += polygon.size();
@@ -106,6 +111,9 @@ Seen best_view(Polygons polygons, Work& work) {
         if (!best.found || diagram->crossings() < best.diagram.crossings()) best.diagram = std::move(*diagram);
         best.found = true;
         if (best.diagram.crossings() > hopeless_crossings || small_enough(best.diagram)) break;
+        if (i < few_views || std::exchange(loosened, true)) continue;
+        while (best.diagram.crossings() <= stubborn_crossings && !small_enough(best.diagram) && loosen(best.diagram, work)) {}
+        if (small_enough(best.diagram)) break;
     }
     return best;
 }

@@ -30,6 +30,10 @@ struct Seen {
     int projected = 0;   ///< Crossings of the first view before simplification.
     bool found = false;  ///< False: no view could be used (too many crossings).
 };
-Seen best_view(Polygons polygons, Work& work);
+constexpr int most_views = 24;  ///< Bring 99 of 100 curves to their least crossings; the first does for most.
+Seen best_view(Polygons polygons, Work& work, int views = most_views);
+
+/// Whether a simplified diagram is small enough to be named for certain.
+bool small_enough(Diagram diagram);
 
 }  // namespace sim::knot

@@ -179,9 +179,22 @@ LinkName name_link(const std::vector<Component>& components) {
     }
     if (candidates.size() > 1) name.certain = false, name.candidates = candidates;
     if (components.front().closed || !closing.first.known) return closing.link;
-    if (components.size() == 2 && closing.first.factors.empty() && name.certain) name.surgical = hitch(name.knot, strands, closed, ways, work);
+    if (components.size() == 2 && closing.first.factors.empty() && name.certain) name.surgical = hitch(name.knot, strands, closed, ways);
     if (name.surgical.empty()) read_surgical(strands.front(), few.front(), closing.first, work, name);
     return closing.link;
+}
+
+Tied name_among(const std::vector<Vec3>& thread, const std::vector<std::vector<Vec3>>& objects) {
+    Tied tied{name_knot(thread), -1};
+    if (tied.name.knot != "0_1" || !tied.name.certain) return tied;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const Name with = name_link({{thread, false}, {objects[i], false}}).name;
+        if (!holds_by_itself(with.surgical)) continue;
+        tied.name.surgical = with.surgical;
+        tied.round = static_cast<int>(i);
+        break;
+    }
+    return tied;
 }
 
 }  // namespace sim::knot

@@ -24,13 +24,14 @@ struct Throw {
 struct Name {
     std::string knot = "0_1";  ///< "3_1#m3_1": factors sorted and joined by '#'; "unknown" if not in the table.
     std::vector<Factor> factors;
-    std::string surgical;         ///< "square", "granny", "surgeon's", "overhand", "slip", ... or empty.
+    std::string surgical;         ///< "square", "surgeon's", "slip", "bowline", "clove hitch", ... or empty.
     std::string throws;           ///< Tera and Aberg: "1=1", "2=1", "1x1", or empty.
     int crossings_projected = 0;  ///< Of the first view, after reduction in space.
     int crossings_reduced = 0;    ///< What is left; -1 when there were too many to count.
     bool certain = true;
     std::vector<std::string> candidates;  ///< What remains when not certain.
     bool flat = true;                     ///< The throws lie flat (square); false: capsized into sliding half hitches.
+    std::string half_hitches;             ///< Trimbos: "S=S", "SxS", of a stack that is not flat.
     std::vector<Throw> throw_list;        ///< `throws` with the hand of each, from the loop outwards.
 };
 
@@ -56,8 +57,18 @@ struct LinkName {
 Name name_knot(const std::vector<Vec3>& curve, bool closed = false);
 
 /// Names several components together, direction and order of components not counting. Open ones are closed outside the
-/// hull of all of them. Surgical names are read from the first component alone.
+/// hull of all of them. Surgical names are of the first component: of its own knot, or if it has none and there is one other,
+/// of how it is hitched round that.
 LinkName name_link(const std::vector<Component>& components);
+
+/// A thread in a scene: its own knot, or when it has none, the hitch it makes round one of the objects.
+struct Tied {
+    Name name;
+    int round = -1;  ///< The object it is hitched to.
+};
+
+/// `objects`: each a core line that goes on beyond the thread at either end. A turn round one is no hitch: nothing holds it.
+Tied name_among(const std::vector<Vec3>& thread, const std::vector<std::vector<Vec3>>& objects);
 
 /// Two edges that meet, so that the curve has no type: first edge (component, index of its first vertex) and second.
 struct Touch {

@@ -25,13 +25,18 @@ struct Hit {
     bool over;
 };
 
-// Twice the area of a, b, c in the picture; `unsure` is raised when rounding could have changed its sign.
-double area(const Vec3& a, const Vec3& b, const Vec3& c, bool& unsure) {
+// Twice the area of a triangle in the picture, and by how much rounding may have changed it.
+struct Area {
+    double value, error;
+    bool is_sure() const { return std::abs(value) > error; }
+};
+
+Area area(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
-    const double difference = left - right;
-    if (std::abs(difference) <= 1e-14 * (std::abs(left) + std::abs(right))) unsure = true;
-    return difference;
+    return {left - right, 1e-14 * (std::abs(left) + std::abs(right))};
 }
+
+bool same_side(const Area& a, const Area& b) { return a.is_sure() && b.is_sure() && (a.value > 0) == (b.value > 0); }
 
 std::vector<Edge> edges_seen(const Polygons& polygons, const Vec3& view) {
     const Vec3 right = view.unitOrthogonal(), up = view.cross(right);
@@ -55,16 +60,17 @@ bool cross(const Edge& e, const Edge& f, Diagram& diagram, std::vector<Hit>& hit
     if (std::max(e.a.y(), e.b.y()) < std::min(f.a.y(), f.b.y()) ||
         std::max(f.a.y(), f.b.y()) < std::min(e.a.y(), e.b.y()))
         return true;
-    bool unsure = false;
-    const double fa = area(e.a, e.b, f.a, unsure), fb = area(e.a, e.b, f.b, unsure);
-    if (!unsure && (fa > 0) == (fb > 0)) return true;
-    const double ea = area(f.a, f.b, e.a, unsure), eb = area(f.a, f.b, e.b, unsure);
-    if (!unsure && (ea > 0) == (eb > 0)) return true;
-    if (unsure) return false;
-    const double s = ea / (ea - eb), t = fa / (fa - fb);
-    const double height = e.a.z() + s * (e.b.z() - e.a.z()) - f.a.z() - t * (f.b.z() - f.a.z());
-    // In general position strands are at least 1e-9 apart; closer than a hundredth of that is rounding.
-    if (std::abs(height) < 1e-11) return false;
+    const Area fa = area(e.a, e.b, f.a), fb = area(e.a, e.b, f.b);
+    if (same_side(fa, fb)) return true;
+    const Area ea = area(f.a, f.b, e.a), eb = area(f.a, f.b, e.b);
+    if (same_side(ea, eb)) return true;
+    if (!fa.is_sure() || !fb.is_sure() || !ea.is_sure() || !eb.is_sure()) return false;
+    const double s = ea.value / (ea.value - eb.value), t = fa.value / (fa.value - fb.value);
+    const double rise_e = e.b.z() - e.a.z(), rise_f = f.b.z() - f.a.z();
+    const double height = e.a.z() + s * rise_e - f.a.z() - t * rise_f;
+    const double error = 1e-15 + std::abs(rise_e) * (ea.error + eb.error) / std::abs(ea.value - eb.value) +
+                         std::abs(rise_f) * (fa.error + fb.error) / std::abs(fa.value - fb.value);
+    if (std::abs(height) <= error) return false;
     const bool e_over = height > 0.0;
     const Vec3 de = e.b - e.a, df = f.b - f.a;
     const double turn = de.x() * df.y() - de.y() * df.x();

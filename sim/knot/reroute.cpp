@@ -1,8 +1,8 @@
 #include "sim/knot/reroute.hpp"
 
-#include <array>
-#include <optional>
+#include <algorithm>
 
+#include "sim/knot/faces.hpp"
 namespace sim::knot {
 
 namespace {
@@ -11,125 +11,53 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// The plane graph of a diagram, where asked with one edge (`missing`) left out. Edge (strand s, index i) leads from passage i to i + 1.
-// Dart 2e walks edge e forwards with its left face on the left hand, dart 2e + 1 backwards with its right face there.
-class Faces {
-  public:
-    explicit Faces(const Diagram& diagram) : diagram_(diagram) {
-        number_edges();
-        number_rays();
-        number_faces();
-    }
-    Faces(const Diagram& diagram, int strand, int index) : diagram_(diagram) {
-        number_edges();
-        missing_ = offset_[at(strand)] + index;
-        number_rays();
-        number_faces();
-    }
-
-    int edges() const { return edges_; }
-    int missing() const { return missing_; }
-    int offset(int strand) const { return offset_[at(strand)]; }
-    int face_of_dart(int dart) const { return face_[at(dart)]; }
-    int count() const { return count_; }
-    // The face in which the missing edge starts (or ends).
-    int face_at_start() const { return face_beside(start_[at(missing_)]); }
-    int face_at_end() const { return face_beside(end_[at(missing_)]); }
-
-  private:
-    struct Ray {
-        int crossing = 0, turn = 0;  // turn: 0..3 counter-clockwise
-    };
-    struct Spoke {
-        int edge = 0;
-        bool outgoing = false;
-    };
-
-    void number_edges() {
-        for (const auto& word : diagram_.strands) {
-            offset_.push_back(edges_);
-            edges_ += static_cast<int>(word.size());
+// For each face how many edges away it is from that in which the missing edge starts, -1 where none leads there.
+std::vector<int> distances(const Faces& faces, const std::vector<std::vector<int>>& darts_of) {
+    std::vector<int> away(at(faces.count()), -1), queue{faces.face_at_start()};
+    away[at(queue.front())] = 0;
+    for (std::size_t q = 0; q < queue.size(); ++q)
+        for (const int dart : darts_of[at(queue[q])]) {
+            const int next = faces.face_of_dart(dart ^ 1);
+            if (away[at(next)] >= 0) continue;
+            away[at(next)] = away[at(queue[q])] + 1;
+            queue.push_back(next);
         }
-    }
+    return away;
+}
 
-    void number_rays() {
-        spokes_.resize(diagram_.sign.size());
-        start_.resize(at(edges_)), end_.resize(at(edges_));
-        for (std::size_t s = 0; s < diagram_.strands.size(); ++s) {
-            const int n = static_cast<int>(diagram_.strands[s].size());
-            for (int i = 0; i < n; ++i) {
-                const Passage p = diagram_.strands[s][at(i)];
-                const int in = offset_[s] + (i + n - 1) % n, out = offset_[s] + i;
-                const bool positive = diagram_.sign[at(p.crossing)] > 0;
-                // Under runs south to north; over runs west to east at a positive crossing. 0 east, 1 north, ...
-                const int turn_out = p.over ? (positive ? 0 : 2) : 1, turn_in = (turn_out + 2) % 4;
-                spokes_[at(p.crossing)][at(turn_out)] = {out, true};
-                spokes_[at(p.crossing)][at(turn_in)] = {in, false};
-                start_[at(out)] = {p.crossing, turn_out};
-                end_[at(in)] = {p.crossing, turn_in};
-            }
-        }
-    }
+// The edges to cross on a way from the start of the missing edge to its end, in order, as the darts whose face is left behind.
+using Way = std::vector<int>;
 
-    // Arriving at a crossing by `ray`, the sharpest left turn: the next spoke clockwise that is there.
-    int dart_after(Ray ray) const {
-        for (int step = 1; step <= 4; ++step) {
-            const Spoke spoke = spokes_[at(ray.crossing)][at((ray.turn + 4 - step % 4) % 4)];
-            if (spoke.edge != missing_) return 2 * spoke.edge + (spoke.outgoing ? 0 : 1);
-        }
-        return -1;
-    }
-
-    void number_faces() {
-        face_.assign(at(2 * edges_), -1);
-        for (int first = 0; first < 2 * edges_; ++first) {
-            if (first / 2 == missing_ || face_[at(first)] >= 0) continue;
-            for (int dart = first; face_[at(dart)] < 0;) {
-                face_[at(dart)] = count_;
-                dart = dart_after(dart % 2 == 0 ? end_[at(dart / 2)] : start_[at(dart / 2)]);
-            }
-            ++count_;
-        }
-    }
-
-    // The face on the spot of a missing ray: left of whoever arrives by the next spoke counter-clockwise.
-    int face_beside(Ray ray) const {
-        for (int step = 1; step < 4; ++step) {
-            const Spoke spoke = spokes_[at(ray.crossing)][at((ray.turn + step) % 4)];
-            if (spoke.edge != missing_) return face_[at(2 * spoke.edge + (spoke.outgoing ? 1 : 0))];
-        }
-        return -1;
-    }
-
-    const Diagram& diagram_;
-    std::vector<int> offset_, face_;
-    std::vector<Ray> start_, end_;
-    std::vector<std::array<Spoke, 4>> spokes_;
-    int edges_ = 0, missing_ = -1, count_ = 0;
-};
-
-// Edges to cross on the shortest way from the start of the missing edge to its end, in order, as the darts whose face
-// is left behind. Where the graph has come apart no edge is in the way: the parts can be laid side by side.
-std::vector<int> shortest_way(const Faces& faces) {
-    const int from = faces.face_at_start(), to = faces.face_at_end();
+// The shortest ways, the first `most` of them. Where the graph has come apart no edge is in the way: the parts can be laid
+// side by side.
+std::vector<Way> shortest_ways(const Faces& faces, std::size_t most) {
     std::vector<std::vector<int>> darts_of(at(faces.count()));
     for (int dart = 0; dart < 2 * faces.edges(); ++dart)
         if (dart / 2 != faces.missing()) darts_of[at(faces.face_of_dart(dart))].push_back(dart);
-    std::vector<int> through(at(faces.count()), -2), queue{from};
-    through[at(from)] = -1;
-    for (std::size_t q = 0; q < queue.size() && through[at(to)] == -2; ++q)
-        for (const int dart : darts_of[at(queue[q])]) {
-            const int next = faces.face_of_dart(dart ^ 1);
-            if (through[at(next)] != -2) continue;
-            through[at(next)] = dart;
-            queue.push_back(next);
-        }
-    std::vector<int> way;
-    if (through[at(to)] == -2) return way;
-    for (int face = to; through[at(face)] != -1; face = faces.face_of_dart(through[at(face)]))
-        way.insert(way.begin(), through[at(face)]);
-    return way;
+    const std::vector<int> away = distances(faces, darts_of);
+    if (away[at(faces.face_at_end())] < 0) return {{}};
+    struct Part {
+        int face;
+        Way rest;  // from there to the end
+    };
+    std::vector<Part> parts{{faces.face_at_end(), {}}};
+    for (int left = away[at(faces.face_at_end())]; left > 0; --left) {
+        std::vector<Part> longer;
+        for (const Part& part : parts)
+            for (const int dart : darts_of[at(part.face)]) {
+                const int before = faces.face_of_dart(dart ^ 1);
+                if (away[at(before)] != left - 1 || longer.size() == most) continue;
+                Part& next = longer.emplace_back(Part{before, part.rest});
+                next.rest.insert(next.rest.begin(), dart ^ 1);
+            }
+        parts = std::move(longer);
+    }
+    std::vector<Way> ways;
+    for (Part& part : parts) ways.push_back(std::move(part.rest));
+    return ways;
 }
+
+Way shortest_way(const Faces& faces) { return shortest_ways(faces, 1).front(); }
 
 struct Stretch {
     int strand, first, length;
@@ -154,7 +82,7 @@ Lifted lift(const Diagram& diagram, const Stretch& stretch) {
     return lifted;
 }
 
-Diagram lay(const Lifted& lifted, const Faces& faces, const std::vector<int>& way, bool over) {
+Diagram lay(const Lifted& lifted, const Faces& faces, const Way& way, bool over) {
     Diagram result;
     result.sign = lifted.rest.sign;
     std::vector<int> crossed(at(faces.edges()), -1);
@@ -248,16 +176,15 @@ bool shorten(Diagram& diagram, const Stretch& stretch) {
         return true;
     }
     const Faces faces(lifted.rest, lifted.strand, lifted.index);
-    const std::vector<int> way = shortest_way(faces);
+    const Way way = shortest_way(faces);
     if (static_cast<int>(way.size()) >= stretch.length) return false;
     diagram = lay(lifted, faces, way, stretch.over);
     return true;
 }
 
-}  // namespace
-
-bool shorten_one_stretch(Diagram& diagram) {
-    Shortcuts shortcuts(diagram);
+// Of each strand the stretches over the rest and under it that neither passage beside them would lengthen.
+std::vector<Stretch> longest_stretches(const Diagram& diagram) {
+    std::vector<Stretch> all;
     for (std::size_t s = 0; s < diagram.strands.size(); ++s) {
         const auto& word = diagram.strands[s];
         const int n = static_cast<int>(word.size());
@@ -265,13 +192,32 @@ bool shorten_one_stretch(Diagram& diagram) {
             const bool over = word[at(first)].over;
             int length = 1;
             while (length < n && word[at(first + length) % word.size()].over == over) ++length;
-            const bool maximal = word[at(first + n - 1) % word.size()].over != over || length == n;
-            const Stretch stretch{static_cast<int>(s), first, length, over};
-            if (maximal && shortcuts.exists(stretch) && shorten(diagram, stretch)) return true;
+            if (word[at(first + n - 1) % word.size()].over != over || length == n) all.push_back({static_cast<int>(s), first, length, over});
             if (length == n) break;
         }
     }
+    return all;
+}
+
+}  // namespace
+
+bool shorten_one_stretch(Diagram& diagram) {
+    Shortcuts shortcuts(diagram);
+    for (const Stretch& stretch : longest_stretches(diagram))
+        if (shortcuts.exists(stretch) && shorten(diagram, stretch)) return true;
     return false;
+}
+
+std::vector<Diagram> laid_elsewhere(const Diagram& diagram) {
+    constexpr std::size_t most_ways = 6;
+    std::vector<Diagram> all;
+    for (const Stretch& stretch : longest_stretches(diagram)) {
+        const Lifted lifted = lift(diagram, stretch);
+        if (lifted.index < 0) continue;
+        const Faces faces(lifted.rest, lifted.strand, lifted.index);
+        for (const Way& way : shortest_ways(faces, most_ways)) all.push_back(lay(lifted, faces, way, stretch.over));
+    }
+    return all;
 }
 
 Diagram joined_ends(const Diagram& open, int first, int count, bool over) {

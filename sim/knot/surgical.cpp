@@ -31,6 +31,21 @@ bool slips(const std::vector<Vec3>& strand, const Identity& whole, Work& work) {
     return std::count_if(good.begin(), good.end(), has_knotted_stretch) >= 2;
 }
 
+// A bowline is of one of three types, by where its end leaves the eye. Its eye takes 0.45 to 0.48 of knot and eye together
+// in model curves; knots of these types without an eye have a loop of 0.21 at most (docs/knots.md).
+bool is_bowline(const std::vector<Vec3>& strand, const Factor& factor) {
+    constexpr double least_eye = 0.33;
+    if (factor.name != "6_2" && factor.name != "6_3" && factor.name != "8_20") return false;
+    const Extent e = extent(strand);
+    return e.loop() > least_eye * (e.last - e.first);
+}
+
+std::string working_knot(const std::vector<Vec3>& strand, const std::vector<Factor>& factors) {
+    if (factors.size() != 1) return "";
+    if (factors.front().name == "4_1") return "figure-eight";
+    return is_bowline(strand, factors.front()) ? "bowline" : "";
+}
+
 }  // namespace
 
 void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few, const Identity& whole, Work& work,
@@ -41,7 +56,10 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
         return;
     }
     std::vector<Throw> throws = throws_of(whole.factors);
-    if (throws.size() < whole.factors.size()) return;
+    if (throws.size() < whole.factors.size()) {
+        name.surgical = working_knot(strand, whole.factors);
+        return;
+    }
     if (throws.size() > 1) {
         auto ordered = in_order(throws, views_of(few, work), whole);
         if (!ordered) return;
@@ -51,6 +69,7 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
     name.throw_list = throws;
     name.throws = notation(throws);
     name.surgical = surgeons_name(name.throws);
+    if (!name.flat) name.half_hitches = half_hitches(throws);
 }
 
 }  // namespace sim::knot

@@ -174,6 +174,12 @@ std::string notation(const std::vector<Throw>& throws) {
     return text;
 }
 
+std::string half_hitches(const std::vector<Throw>& throws) {
+    std::string text = "S";
+    for (std::size_t i = 1; i < throws.size(); ++i) text += throws[i].right_handed == throws[i - 1].right_handed ? "=S" : "xS";
+    return text;
+}
+
 std::string surgeons_name(const std::string& throws) {
     static const std::array<std::pair<const char*, const char*>, 15> names{{{"1", "overhand"},
                                                                             {"2", "double throw"},

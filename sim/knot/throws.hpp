@@ -16,7 +16,10 @@ std::optional<std::vector<Throw>> in_order(const std::vector<Throw>& throws, std
 /// Tera and Aberg: turns joined by '=' between throws of opposite hands, 'x' between equal ones.
 std::string notation(const std::vector<Throw>& throws);
 
-/// Of throws in that notation: "square", "granny" ...; "throws" for those without a name.
+/// Trimbos: half hitches on a straight post, joined by '=' where they are the same and 'x' where they are mirror images.
+std::string half_hitches(const std::vector<Throw>& throws);
+
+/// Of throws in Tera and Aberg's notation: "square", "granny" ...; "throws" for those without a name.
 std::string surgeons_name(const std::string& throws);
 
 }  // namespace sim::knot

@@ -109,3 +109,24 @@ TEST(LabelledCurves, SurgicalNamesMatch) {
     }
     EXPECT_EQ(checked, 26);
 }
+
+// What is tied round a pole, and working knots, by the first words of their labels; each from both sides of the pole and as a
+// mirror image, for a hitch has no hand.
+TEST(LabelledCurves, HitchesAndWorkingKnotsAreCalledByTheirNames) {
+    int checked = 0;
+    for (auto curve : ropes::labelled()) {
+        if (!curve.label.contains("surgical")) continue;
+        const std::string label = curve.label["surgical"];
+        for (const char* name : {"single turn", "round turn", "clove hitch", "constrictor", "cow hitch", "prusik", "bowline"}) {
+            if (!label.starts_with(name)) continue;
+            SCOPED_TRACE(curve.id);
+            EXPECT_EQ(sim::knot::name_link(curve.components).name.surgical, name);
+            for (auto& c : curve.components) c.vertices = ropes::mirrored(c.vertices);
+            EXPECT_EQ(sim::knot::name_link(curve.components).name.surgical, name);
+            std::reverse(curve.components.front().vertices.begin(), curve.components.front().vertices.end());
+            EXPECT_EQ(sim::knot::name_link(curve.components).name.surgical, name);
+            ++checked;
+        }
+    }
+    EXPECT_EQ(checked, 11);
+}

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <limits>
+
+#include "scenarios/world/world.hpp"
+#include "sim/knot/form.hpp"
+
+namespace scenarios::world {
+
+namespace {
+
+// Shortest stretch of the thread, grown from whichever end, that still holds the whole knot: where the knot is.
+struct Place {
+    std::size_t first, last;  ///< Nodes.
+};
+
+Place place_of(const std::vector<Vec3>& nodes, const std::string& knot) {
+    const auto still_knotted = [&](std::size_t first, std::size_t last) {
+        return sim::knot::name_knot(std::vector<Vec3>(nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                                                      nodes.begin() + static_cast<std::ptrdiff_t>(last) + 1))
+                   .knot == knot;
+    };
+    Place place{0, nodes.size() - 1};
+    for (std::size_t step = nodes.size() / 2; step > 0; step /= 2) {
+        while (place.first + step + 1 < place.last && still_knotted(place.first + step, place.last)) place.first += step;
+        while (place.last > place.first + step + 1 && still_knotted(place.first, place.last - step)) place.last -= step;
+    }
+    return place;
+}
+
+double length_mm(std::span<const double> rest, std::size_t first, std::size_t last) {
+    double length = 0;
+    for (std::size_t k = first; k < last; ++k) length += rest[k];
+    return 1e3 * length;
+}
+
+// From a point to a tube's surface [m].
+double off_surface(const VesselDef& tube, const Vec3& p) {
+    const Vec3 axis = tube.axis.normalized(), from = p - tube.centre;
+    const Vec3 on = std::clamp(from.dot(axis), -0.5 * tube.length, 0.5 * tube.length) * axis;
+    return (from - on).norm() - 0.5 * tube.diameter;
+}
+
+}  // namespace
+
+void World::locate_knot() {
+    measures_.tail_mm = {0, 0};
+    measures_.loop_mm = measures_.knot_mm = 0;
+    measures_.off_tissue_mm = -1;
+    measures_.around.clear();
+    if (measures_.hitched_to >= 0) measures_.around.push_back(def_.vessels[static_cast<std::size_t>(measures_.hitched_to)].name);
+    if (measures_.knot.factors.empty()) return;
+    const std::vector<Vec3> curve(thread_.nodes().begin(), thread_.nodes().end());
+    const Place place = place_of(curve, measures_.knot.knot);
+    measures_.tail_mm = {length_mm(thread_.rest_lengths(), 0, place.first),
+                         length_mm(thread_.rest_lengths(), place.last, curve.size() - 1)};
+    measure_knot(curve, place.first, place.last);
+}
+
+void World::measure_knot(const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
+    const auto from = curve.begin() + static_cast<std::ptrdiff_t>(first), to = curve.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    const sim::knot::Extent extent = sim::knot::extent({from, to});
+    measures_.loop_mm = 1e3 * extent.loop();
+    measures_.knot_mm = 1e3 * extent.knot();
+    for (const VesselDef& vessel : def_.vessels) {
+        if (turns_around(vessel, curve, first, last) == 0) continue;
+        measures_.around.push_back(vessel.name);
+        if (!vessel.mesh_file.empty()) continue;
+        double along = 0, least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = first; i <= last; ++i) {
+            if (i > first) along += (curve[i] - curve[i - 1]).norm();
+            if (extent.holds(along)) least = std::min(least, off_surface(vessel, curve[i]));
+        }
+        measures_.off_tissue_mm = 1e3 * std::max(0.0, least - 0.5 * def_.thread.diameter);
+    }
+}
+
+// Signed passages of the stretch [first, last] through the half plane that hangs from the vessel's axis: once round is +-1.
+int World::turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
+    const Vec3 axis = vessel.axis.normalized();
+    const Vec3 across = axis.cross(std::abs(axis.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).normalized();
+    const Vec3 up = across.cross(axis);
+    int turns = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        const Vec3 a = curve[i] - vessel.centre, b = curve[i + 1] - vessel.centre;
+        const double ya = a.dot(across), yb = b.dot(across);
+        if ((ya < 0) == (yb < 0)) continue;
+        const double height = a.dot(up) + ya / (ya - yb) * (b - a).dot(up);
+        if (height < 0) turns += yb > ya ? 1 : -1;
+    }
+    return turns;
+}
+
+}  // namespace scenarios::world
