@@ -65,9 +65,11 @@ void add_motion(CLI::App& program, Chosen& chosen) {
 }
 
 void add_knot(CLI::App& program, Chosen& chosen) {
-    auto* command = program.add_subcommand("knot", "Names the knots in curve files (one vertex 'x y z' a line, mm)");
+    auto* command = program.add_subcommand("knot", "Name the knots in curve files: one vertex 'x y z' a line, an empty line between "
+                                               "components, which are closed when their last vertex repeats the first; the first one is "
+                                               "the thread, others are what it is tied round");
     auto options = std::make_shared<KnotOptions>();
-    command->add_option("curves", options->curves, "Curve files; - for standard input")->required();
+    command->add_option("curves", options->curves, "Curve files; - for standard input")->option_text("CURVE...")->required();
     command->add_flag("--closed", options->closed, "Join the last vertex of every component to its first");
     command->add_option("--around", options->around, "A curve the others are tied round; may be repeated")
         ->expected(1)

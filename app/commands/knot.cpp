@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
+#include "app/one_line.hpp"
 #include "app/progress.hpp"
 #include "assets/curve.hpp"
 #include "sim/knot/namer.hpp"
@@ -28,6 +29,13 @@ assets::Curve load(const std::string& file) {
     }
 }
 
+// An object whose ends are hardly farther apart than its vertices are elsewhere is a closed one, its first vertex not repeated.
+bool is_ring(const std::vector<sim::knot::Vec3>& vertices) {
+    double longest = 0;
+    for (std::size_t i = 1; i < vertices.size(); ++i) longest = std::max(longest, (vertices[i] - vertices[i - 1]).norm());
+    return vertices.size() > 3 && (vertices.back() - vertices.front()).norm() <= 1.5 * longest;
+}
+
 // A component together with where it was read, so that a fault in it can be located.
 struct Source {
     const assets::Curve* curve;
@@ -40,7 +48,8 @@ Answer name(const std::string& file, const std::vector<assets::Curve>& around, b
     std::vector<Source> sources;
     const auto add = [&](const assets::Curve& from, bool close) {
         for (std::size_t i = 0; i < from.components.size(); ++i) {
-            components.push_back({from.components[i].vertices, from.components[i].closed || close});
+            const bool ring = !components.empty() && is_ring(from.components[i].vertices);
+            components.push_back({from.components[i].vertices, from.components[i].closed || close || ring});
             sources.push_back({&from, static_cast<int>(i)});
         }
     };
@@ -74,7 +83,8 @@ nlohmann::ordered_json to_json(const Answer& answer) {
     if (n.surgical.empty()) {
         j["surgical"] = nullptr;
     } else {
-        j["surgical"] = nlohmann::ordered_json{{"name", n.surgical}, {"throws", n.throws}, {"flat", n.flat}};
+        j["surgical"] = nlohmann::ordered_json{{"name", n.surgical}, {"throws", nullptr}, {"flat", nullptr}};
+        if (!n.throws.empty()) j["surgical"]["throws"] = n.throws, j["surgical"]["flat"] = n.flat;
         if (!n.flat) j["surgical"]["half_hitches"] = n.half_hitches;
     }
     const nlohmann::json left = n.crossings_reduced < 0 ? nlohmann::json() : nlohmann::json(n.crossings_reduced);
@@ -109,20 +119,25 @@ void print(const Answer& answer) {
 
 int knot_command(const KnotOptions& options) {
     std::size_t done = 0;
+    int exit = 0;
     std::vector<assets::Curve> around;
     for (const std::string& file : options.around) around.push_back(load(file));
     nlohmann::ordered_json all{{"curves", nlohmann::json::array()}};
     Progress progress(static_cast<double>(options.curves.size()), "curves");
     for (const std::string& file : options.curves) {  // each is told at once: thousands take a while
-        const Answer answer = name(file, around, options.closed);
-        if (options.json) all["curves"].push_back(to_json(answer));
-        else print(answer);
+        try {
+            const Answer answer = name(file, around, options.closed);
+            if (options.json) all["curves"].push_back(to_json(answer));
+            else print(answer);
+        } catch (const InputFault& fault) {  // the others are named all the same
+            std::cerr << one_line(fault.what());
+            exit = 2;
+        }
         progress.at(static_cast<double>(++done));
     }
-    if (!options.json) return 0;
     // A file name may hold any bytes; JSON may not.
-    std::cout << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-    return 0;
+    if (options.json) std::cout << all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    return exit;
 }
 
 }  // namespace app

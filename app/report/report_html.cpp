@@ -41,7 +41,7 @@ std::string verdict(const Result& result) {
         out += "<p class=\"tied\">Tied: <strong>" + escaped(result.surgical.empty() ? result.knot : result.surgical) +
                "</strong>";
         if (!result.throws.empty()) out += ", throws " + escaped(result.throws);
-        if (!result.surgical.empty()) out += ", in knot theory " + escaped(result.knot);
+        if (!result.surgical.empty() && result.knot != "0_1") out += ", in knot theory " + escaped(result.knot);
         out += ".</p>\n";
     }
     return out + "<p class=\"note\">" + number(result.duration_s, 1) + " s of simulated time.</p>\n";

@@ -6,6 +6,7 @@
 #include "scenarios/drill/keys.hpp"
 #include "scenarios/drill/materials.hpp"
 #include "scenarios/drill/start_path.hpp"
+#include "scenarios/drill/tie.hpp"
 
 namespace scenarios::drill {
 
@@ -156,6 +157,12 @@ class Reader {
         return read;
     }
 
+    static std::string names_of(const std::vector<world::VesselDef>& vessels) {
+        std::string text;
+        for (const auto& vessel : vessels) text += (text.empty() ? ", expected \"" : " or \"") + vessel.name + "\"";
+        return text;
+    }
+
     void read_goals() {
         for (const json& entry : filled_["goals"]) {
             const std::string place = "/goals/" + std::to_string(drill_.goals.size());
@@ -165,11 +172,12 @@ class Reader {
             const auto& vessels = drill_.world.vessels;
             if (!goal.around.empty() &&
                 std::none_of(vessels.begin(), vessels.end(), [&](auto& v) { return v.name == goal.around; }))
-                document_.fail(place + "/around", "no vessel is named \"" + goal.around + "\"");
+                document_.fail(place + "/around", "no vessel is named \"" + goal.around + "\"" + names_of(vessels));
             if (entry.contains("throws") && entry["throws"].is_string()) goal.notation = entry["throws"];
             if (entry.contains("throws") && entry["throws"].is_number())
                 goal.throws = static_cast<int>(entry["throws"].get<double>());
             if (entry.contains("tails_mm")) goal.tails_mm = band(entry["tails_mm"], place + "/tails_mm");
+            if (const GoalFault fault = fault_of(goal, !vessels.empty()); !fault.what.empty()) document_.fail(place + "/" + fault.key, fault.what);
             drill_.goals.push_back(goal);
         }
     }

@@ -27,7 +27,7 @@ struct Sample {
     std::vector<double> tool_speed_mm_s;    ///< One per instrument, commanded.
     std::vector<double> tool_lag_mm;        ///< One per instrument.
     std::vector<int> held;                  ///< 1 where the instrument holds thread.
-    std::string knot;                       ///< Name at that time: "0_1", "3_1", ...
+    std::string knot;                       ///< What it was called then: "0_1", "overhand", ...
 };
 
 struct Percentiles {

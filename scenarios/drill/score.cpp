@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scenarios/drill/shape.hpp"
+#include "scenarios/drill/tie.hpp"
 
 namespace scenarios::drill {
 
@@ -18,6 +19,11 @@ std::string tie_of(const Name& name) {
     std::string tie = name.surgical;
     std::erase(tie, '\'');
     return tie;
+}
+
+bool is_asked(const Goal& goal, const Name& name) {
+    const std::string throws = throws_asked(goal);
+    return name.certain && (throws.empty() ? tie_of(name) == goal.tie : name.throws == throws);
 }
 
 std::string in_words(const std::string& tie) {
@@ -57,7 +63,10 @@ constexpr Lesson lessons[] = {
 
 bool is_untied(const Name& name) { return name.knot == "0_1" && name.surgical.empty(); }
 
-std::string why_not_tied(const std::string& asked, const Name& found) {
+std::string why_not_tied(const Goal& goal, const Name& found) {
+    const std::string& asked = goal.tie;
+    if (is_untied(found) && is_hitch(asked)) return "The thread is not hitched to any vessel.";
+    if (is_hitch(asked) || is_hitch(found.surgical)) return "The thread is tied another way: " + found.surgical + ", not " + asked + ".";
     if (is_untied(found))
         return "There is no knot in the thread: the throw was not pulled through, or came undone.";
     for (const Lesson& lesson : lessons)
@@ -104,10 +113,10 @@ void score_knot(const Goal& goal, const world::Measures& measures, std::vector<S
                    as_found(name),
                    "",
                    in_words(goal.tie),
-                   name.certain && tie_of(name) == goal.tie,
+                   is_asked(goal, name),
                    measures.knot_since_s,
                    ""};
-    if (!item.passed) item.why = why_not_tied(goal.tie, name);
+    if (!item.passed) item.why = why_not_tied(goal, name);
     items.push_back(item);
 }
 
@@ -166,6 +175,8 @@ void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
     const auto show = [&](const char* name, const char* title, double mm) {
         items.push_back(judged({name, title, "mm", mm, 2, measures.knot_since_s, "", ""}, {}));
     };
+    if (!measures.knot.throw_list.empty())
+        items.push_back({"form", "How it lies", measures.knot.flat ? "flat" : "capsized", "", "", true, measures.knot_since_s, ""});
     show("loop", "Thread in the loop", measures.loop_mm);
     show("knot_thread", "Thread in the knot", measures.knot_mm);
     if (measures.off_tissue_mm >= 0) show("off_tissue", "Knot off the vessel", measures.off_tissue_mm);

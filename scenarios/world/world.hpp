@@ -85,6 +85,7 @@ class World {
     void measure(const sim::thread::TickReport& report);
     void name_beside();
     void take_name(sim::knot::Tied tied);
+    void locate_hitch(const VesselDef& vessel);
     void measure_knot(const std::vector<sim::geometry::Vec3>& curve, std::size_t first, std::size_t last);
 
     void take_hold(Tool& tool);

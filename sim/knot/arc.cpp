@@ -9,11 +9,15 @@ Vec3 at_radius(const Vec3& from, const Vec3& along, double radius) {
     return from + (std::sqrt(b * b - c) - b) * along;
 }
 
-// No more than 60 degrees apart.
-void append_arc(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, double radius) {
+Vec3 half_way(const Vec3& a, const Vec3& b, double radius) {
     Vec3 half = a + b;
     if (half.norm() < 0.1 * radius) half = a.unitOrthogonal();
-    half = radius * half.normalized();
+    return radius * half.normalized();
+}
+
+// No more than 60 degrees apart.
+void append_arc(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, double radius) {
+    const Vec3 half = half_way(a, b, radius);
     if (a.dot(half) < 0.5 * radius * radius) {
         append_arc(points, a, half, radius);
         points.push_back(half);

@@ -14,4 +14,7 @@ Vec3 at_radius(const Vec3& from, const Vec3& along, double radius);
 /// stay outside 0.86 of the radius.
 void append_arc(std::vector<Vec3>& points, const Vec3& a, const Vec3& b, double radius);
 
+/// The middle of that arc; any that will do when a and b are nearly opposite.
+Vec3 half_way(const Vec3& a, const Vec3& b, double radius);
+
 }  // namespace sim::knot

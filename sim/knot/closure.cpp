@@ -56,7 +56,16 @@ bool all_free(const std::vector<Ways>& ways, const std::vector<bool>& closed) {
     return true;
 }
 
-Polygons close_outside(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote) {
+bool either_way(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways) {
+    if (std::count(closed.begin(), closed.end(), false) < 2) return false;
+    const auto first = static_cast<std::size_t>(std::find(closed.begin(), closed.end(), false) - closed.begin());
+    const auto& rope = strands[first];
+    if (!ways[first].from_first || !ways[first].from_last) return false;
+    const Vec3 head = rope[0] - rope[1], tail = rope[rope.size() - 1] - rope[rope.size() - 2];
+    return ways[first].from_first->dot(*ways[first].from_last) < -0.5 || head.normalized().dot(tail.normalized()) < -0.5;
+}
+
+Polygons close_outside(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote, bool other_way) {
     Polygons result;
     double radius = outside;
     Vec3 rope_side = Vec3::Zero();
@@ -68,8 +77,9 @@ Polygons close_outside(const Strands& strands, const std::vector<bool>& closed, 
         const Vec3 to = at_radius(strands[s].front(), ways[s].from_first.value_or(buried), radius);
         polygon.push_back(from);
         // The first open strand is the rope; what it is tied round is closed on the side away from the rope's ends.
-        const Vec3 middle = -radius * rope_side.normalized();
-        if (rope_side.norm() > 0.1 && from.dot(to) < 0.0) {
+        const bool is_rope = rope_side.isZero();
+        const Vec3 middle = is_rope ? Vec3(-half_way(from, to, radius)) : Vec3(-radius * rope_side.normalized());
+        if (is_rope ? other_way : rope_side.norm() > 0.1 && from.dot(to) < 0.0) {
             append_arc(polygon, from, middle, radius);
             polygon.push_back(middle);
             append_arc(polygon, middle, to, radius);

@@ -48,15 +48,12 @@ std::vector<std::vector<Vec3>> in_general_position(const std::vector<Component>&
         const Vec3* last = nullptr;
         for (const Vec3& p : c.vertices) {
             counter += 3;
-            // Nearer than a ten-thousandth of what may separate strands is the same place.
-            if (last && (p - *last).norm() * scale < 1e-12) continue;
+            if (last && (p - *last).norm() * scale <= same_place) continue;
             last = &p;
             const Vec3 shift(uniform(counter), uniform(counter + 1), uniform(counter + 2));
             points.push_back(turn * Vec3(scale * (p - centre)) + 1e-9 * shift);
         }
-        while (c.closed && points.size() > 1 && (points.front() - points.back()).norm() < 1e-8 &&
-               (c.vertices.front() - *last).norm() * scale < 1e-12)
-            points.pop_back(), last = &c.vertices[points.size() - 1];
+        while (c.closed && points.size() > 1 && (points.front() - points.back()).norm() <= same_place + 4e-9) points.pop_back();
     }
     return result;
 }

@@ -39,7 +39,14 @@ bool all_free(const std::vector<Ways>& ways, const std::vector<bool>& closed);
 
 /// Joins the ends of each open component outside everything. An end without a way out leaves along direction(vote), which
 /// may change the type: try several votes. The joining arcs of different components lie on spheres of different size.
-Polygons close_outside(const Polygons& components, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote);
+/// `other_way`: the first open one is joined along the longer of the two great arcs. Where several components are open that is
+/// another type, and the better one when its ends leave nearly opposite to each other.
+Polygons close_outside(const Polygons& components, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote,
+                       bool other_way = false);
+
+/// Whether several components are open, and the ends of the first point or leave so opposite to each other (more than 120 degrees)
+/// that neither way of joining them is plainly the one.
+bool either_way(const Polygons& components, const std::vector<bool>& closed, const std::vector<Ways>& ways);
 
 /// Drops vertices whose triangle with their neighbours no other edge meets, until none is left (Koniaris and
 /// Muthukumar 1991; Taylor 2000). The type stays. `pinned`: of each polygon, whether its first and last vertex stay; none

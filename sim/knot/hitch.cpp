@@ -14,21 +14,21 @@ namespace {
 
 using Strand = std::vector<Vec3>;
 
-// Type with the rope's ends joined to each other, and one of those with them joined to the pole's; either may be all mirrored.
+// A knot that comes of joining the rope's ends to the pole's, or that mirrored, and the type with the rope's ends joined to each
+// other. A turn gives the unknot as well, joined the other way; what holds by itself does not.
 struct Hitch {
-    const char *name, *link, *link_mirrored, *crosswise, *crosswise_mirrored;
-
-    bool is_of(const std::string& type) const { return type == link || type == link_mirrored; }
+    const char *name, *crosswise, *crosswise_mirrored, *link, *link_mirrored;
+    bool turns = false;
 };
-constexpr std::array<Hitch, 9> hitches{{{"single turn", "L2a1", "mL2a1", "", ""},
-                                        {"round turn", "L4a1", "mL4a1", "", ""},
-                                        {"round turn", "L6a3", "mL6a3", "", ""},
-                                        {"clove hitch", "L6a1", "mL6a1", "3_1#3_1", "m3_1#m3_1"},
-                                        {"constrictor", "L9n11", "mL9n11", "8_21", "m8_21"},
-                                        {"cow hitch", "unlink", "unlink", "3_1#m3_1", "3_1#m3_1"},
-                                        {"prusik", "unlink", "unlink", "5_1#m5_1", "5_1#m5_1"},
-                                        {"prusik", "unlink", "unlink", "7_1#m7_1", "7_1#m7_1"},
-                                        {"prusik", "unlink", "unlink", "9_1#m9_1", "9_1#m9_1"}}};
+constexpr std::array<Hitch, 9> hitches{{{"clove hitch", "3_1#3_1", "m3_1#m3_1", "L6a1", "mL6a1"},
+                                        {"constrictor", "8_21", "m8_21", "L9n11", "mL9n11"},
+                                        {"cow hitch", "3_1#m3_1", "3_1#m3_1", "unlink", "unlink"},
+                                        {"prusik", "5_1#m5_1", "5_1#m5_1", "unlink", "unlink"},
+                                        {"prusik", "7_1#m7_1", "7_1#m7_1", "unlink", "unlink"},
+                                        {"prusik", "9_1#m9_1", "9_1#m9_1", "unlink", "unlink"},
+                                        {"single turn", "3_1", "m3_1", "L2a1", "mL2a1", true},
+                                        {"round turn", "5_1", "m5_1", "L4a1", "mL4a1", true},
+                                        {"round turn", "7_1", "m7_1", "L6a3", "mL6a3", true}}};
 
 Vec3 nearest_on_pole(const Strand& rope, const Strand& pole, bool closed) {
     Vec3 nearest = pole.front();
@@ -130,38 +130,49 @@ std::vector<Polygons> crosswise(const Ball& ball) {
     return knots;
 }
 
-// The first hitch of this link that one of the knots shows. What takes many views to become small is looked at last: the other
-// way round may be too large for any, of 14 crossings for a prusik of three wraps.
-std::string shown_by(const std::string& link, const std::vector<Polygons>& knots) {
-    for (const int views : {1, most_views})
+using Types = std::vector<std::string>;
+
+bool has(const Types& types, const char* type) { return std::find(types.begin(), types.end(), type) != types.end(); }
+
+// Round an open pole the type with the rope's ends joined hangs on the side on which they are, so it says nothing against a
+// hitch; a turn is nothing else.
+std::string shown_by(const Types& types, const std::string& link, bool pole_closed) {
+    for (const Hitch& h : hitches) {
+        const bool shown = (has(types, h.crosswise) || has(types, h.crosswise_mirrored)) && (!h.turns || has(types, "0_1"));
+        const bool linked = link == h.link || link == h.link_mirrored || (!h.turns && !pole_closed);
+        if (shown && linked) return h.name;
+    }
+    return "";
+}
+
+// What takes many views to become small is looked at last: the other way round may be too large for any, of 14 crossings for a
+// prusik of three wraps.
+std::string shown_by(const std::vector<Polygons>& knots, const std::string& link, bool pole_closed) {
+    Types types;
+    for (const int views : {1, most_views}) {
         for (const Polygons& knot : knots) {
             Work work;
             const Seen seen = best_view(knot, work, views);
-            if (!seen.found || !small_enough(seen.diagram)) continue;
-            const std::string type = identify(seen.diagram, work).name();
-            for (const Hitch& h : hitches)
-                if (h.is_of(link) && (type == h.crosswise || type == h.crosswise_mirrored)) return h.name;
+            if (seen.found && small_enough(seen.diagram)) types.push_back(identify(seen.diagram, work).name());
         }
+        if (const std::string name = shown_by(types, link, pole_closed); !name.empty()) return name;
+    }
     return "";
 }
 
 }  // namespace
 
-std::string hitch(const std::string& link, const Polygons& rope_and_pole, const std::vector<bool>& closed,
-                  const std::vector<Ways>& ways) {
-    const auto known = std::find_if(hitches.begin(), hitches.end(), [&](const Hitch& h) { return h.is_of(link); });
-    if (known == hitches.end()) return "";
-    if (!*known->crosswise) return known->name;
+std::string hitch(const Name& link, const Polygons& rope_and_pole, const std::vector<bool>& closed, const std::vector<Ways>& ways) {
     Strand rope = led_out(rope_and_pole[0], closed[0], ways[0]), pole = led_out(rope_and_pole[1], closed[1], ways[1]);
     const Vec3 centre = nearest_on_pole(rope, pole, closed[1]);
     for (Strand* strand : {&rope, &pole})
         for (Vec3& p : *strand) p -= centre;
     const auto ball = ball_about(rope, pole, closed[1]);
-    return ball ? shown_by(link, crosswise(*ball)) : "";
+    return ball ? shown_by(crosswise(*ball), link.knot, closed[1]) : "";
 }
 
 bool holds_by_itself(const std::string& name) {
-    return std::any_of(hitches.begin(), hitches.end(), [&](const Hitch& h) { return *h.crosswise && name == h.name; });
+    return std::any_of(hitches.begin(), hitches.end(), [&](const Hitch& h) { return !h.turns && name == h.name; });
 }
 
 }  // namespace sim::knot

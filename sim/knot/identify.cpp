@@ -67,16 +67,23 @@ bool Identity::operator==(const Identity& o) const {
     return known == o.known && factors.size() == o.factors.size() && name() == o.name();
 }
 
+static int largest(const std::vector<Summand>& summands) {
+    int most = 0;
+    for (const Summand& summand : summands) most = std::max(most, summand.diagram.crossings());
+    return most;
+}
+
 Identity identify(Diagram knot, Work& work) {
     simplify(knot);
     Identity whole;
-    if (knot.crossings() > hopeless_crossings) {
+    const std::vector<Summand> summands = cut_summands(knot);
+    if (largest(summands) > hopeless_crossings) {
         whole.known = whole.certain = false;
-        whole.crossings = knot.crossings();
+        for (const Summand& summand : summands) whole.crossings += summand.diagram.crossings();
         return whole;
     }
     std::vector<Identity> parts;
-    for (const Summand& summand : cut_summands(knot)) parts.push_back(identify_summand(summand.diagram, work));
+    for (const Summand& summand : summands) parts.push_back(identify_summand(summand.diagram, work));
     for (const Identity& part : parts) add(whole, part);
     sort_factors(whole.factors);
     if (!whole.certain && whole.known) whole.candidates = {whole.name()};
@@ -86,8 +93,7 @@ Identity identify(Diagram knot, Work& work) {
 
 bool small_enough(Diagram diagram) {
     const std::vector<Summand> summands = cut_summands(diagram);
-    const auto small = [](const Summand& s) { return s.diagram.crossings() <= certain_crossings; };
-    if (!std::all_of(summands.begin(), summands.end(), small)) return false;
+    if (largest(summands) > certain_crossings) return false;
     const auto pieces = split_pieces(diagram);
     // The table of links ends at nine crossings.
     return std::all_of(pieces.begin(), pieces.end(),

@@ -153,6 +153,15 @@ Closing named_closing(const Polygons& polygons, Work& work) {
     return closing;
 }
 
+// Round any of several objects.
+std::string first_hitch(const std::vector<Component>& components) {
+    for (std::size_t i = 1; i < components.size(); ++i) {
+        const std::string hitch = name_link({components[0], components[i]}).name.surgical;
+        if (holds_by_itself(hitch)) return hitch;
+    }
+    return "";
+}
+
 }  // namespace
 
 LinkName name_link(const std::vector<Component>& components) {
@@ -177,9 +186,11 @@ LinkName name_link(const std::vector<Component>& components) {
         if (std::find(candidates.begin(), candidates.end(), other.name.knot) == candidates.end())
             candidates.push_back(other.name.knot);
     }
-    if (candidates.size() > 1) name.certain = false, name.candidates = candidates;
+    if (free && either_way(strands, closed, ways)) candidates.push_back(named_closing(close_outside(few, closed, ways, 0, true), work).link.name.knot);
+    if (std::count(candidates.begin(), candidates.end(), name.knot) < static_cast<std::ptrdiff_t>(candidates.size()))
+        name.certain = false, name.candidates = candidates;
     if (components.front().closed || !closing.first.known) return closing.link;
-    if (components.size() == 2 && closing.first.factors.empty() && name.certain) name.surgical = hitch(name.knot, strands, closed, ways);
+    if (closing.first.factors.empty()) name.surgical = components.size() == 2 ? hitch(name, strands, closed, ways) : first_hitch(components);
     if (name.surgical.empty()) read_surgical(strands.front(), few.front(), closing.first, work, name);
     return closing.link;
 }

@@ -35,6 +35,9 @@ struct Name {
     std::vector<Throw> throw_list;        ///< `throws` with the hand of each, from the loop outwards.
 };
 
+/// Places no further apart than this, in sizes of the curve, are one: strands must stay further apart.
+constexpr double same_place = 1e-8;
+
 /// One strand of a link, any unit. A closed one does not repeat its first vertex.
 struct Component {
     std::vector<Vec3> vertices;

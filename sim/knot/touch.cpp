@@ -60,8 +60,8 @@ std::optional<Touch> first_touch(const std::vector<Component>& components) {
     geometry::Box all;
     for (const Component& c : components)
         for (const Vec3& p : c.vertices) all.include(p);
-    const double size = (all.high - all.low).maxCoeff(), nearest = 1e-8 * size, same_place = 1e-12 * size;
-    const std::vector<Edge> edges = edges_of(components, same_place);
+    const double size = (all.high - all.low).maxCoeff(), nearest = same_place * size;
+    const std::vector<Edge> edges = edges_of(components, nearest);
     std::vector<geometry::Box> boxes(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
         boxes[i].include(edges[i].a);

@@ -110,7 +110,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:7:14: error: /thread/mover: this version has one way to move a thread, expected \"ftl\", found "
          "\"elastic\""},
         {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),
-         "a.json:17:41: error: /goals/0/around: no vessel is named \"aorta\""},
+         "a.json:17:41: error: /goals/0/around: no vessel is named \"aorta\", expected \"carotid\""},
         {with("\"throws\": 2", "\"throws\": \"2-1\""),
          "a.json:17:62: error: /goals/0/throws: expected turns of each throw joined by '=' (reversed) or 'x' (same "
          "way), such as \"2=1\", found \"2-1\""},
