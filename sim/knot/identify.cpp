@@ -17,7 +17,7 @@ namespace {
 constexpr int certain_crossings = 10, certain_unknot_crossings = 24;
 
 // Beyond this a diagram is not taken further. Of a tangle of so many at first sight no other view has ever brought it to a name.
-constexpr int hopeless_crossings = 100, tangled_crossings = 400;
+constexpr int hopeless_crossings = 100, tangled_crossings = 300;
 
 // Diagrams that are nearly small enough after a few views are loosened, which takes away few crossings.
 constexpr int stubborn_crossings = 16, few_views = 1;
@@ -76,12 +76,14 @@ static int largest(const std::vector<Summand>& summands) {
 Identity identify(Diagram knot, Work& work) {
     simplify(knot);
     Identity whole;
-    const std::vector<Summand> summands = cut_summands(knot);
-    if (largest(summands) > hopeless_crossings) {
+    whole.crossings = knot.crossings();
+    std::vector<Summand> summands;
+    if (knot.crossings() <= tangled_crossings) summands = cut_summands(knot);
+    if (whole.crossings > tangled_crossings || largest(summands) > hopeless_crossings) {
         whole.known = whole.certain = false;
-        for (const Summand& summand : summands) whole.crossings += summand.diagram.crossings();
         return whole;
     }
+    whole.crossings = 0;
     std::vector<Identity> parts;
     for (const Summand& summand : summands) parts.push_back(identify_summand(summand.diagram, work));
     for (const Identity& part : parts) add(whole, part);
