@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "app/bench/accuracy.hpp"
 #include "app/bench/naming.hpp"
 #include "app/bench/print.hpp"
 #include "app/bench/speed.hpp"
@@ -28,6 +29,7 @@ bench::Suite naming(bool quick, const bench::Progress& progress) {
 
 constexpr Known suites[] = {
     {"speed", bench::speed_suite},
+    {"accuracy", bench::accuracy_suite},
     {"stability", stability},
     {"knots", naming},
 };

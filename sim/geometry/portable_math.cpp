@@ -1,5 +1,7 @@
 #include "sim/geometry/portable_math.hpp"
 
+#include <cmath>
+
 namespace sim::geometry {
 
 SinCos portable_sin_cos(double angle) {
@@ -15,6 +17,22 @@ SinCos portable_sin_cos(double angle) {
         versine = doubled;
     }
     return {sin, 1 - versine};
+}
+
+double portable_atan2(double y, double x) {
+    // Halve until the series is short.
+    constexpr int halvings = 4;
+    const double length = std::sqrt(x * x + y * y);
+    double cos = x / length, sin = y / length;
+    for (int i = 0; i < halvings; ++i) {
+        const double larger = std::sqrt(0.5 * (1 + std::abs(cos))), smaller = 0.5 * std::abs(sin) / larger;
+        sin = std::copysign(cos < 0 ? larger : smaller, sin);
+        cos = cos < 0 ? smaller : larger;
+    }
+    const double t = sin / cos, q = t * t;
+    double sum = 0;
+    for (int k = 21; k >= 1; k -= 2) sum = 1.0 / k - q * sum;
+    return (1 << halvings) * t * sum;
 }
 
 Quat portable_slerp(const Quat& from, const Quat& to, double t) {

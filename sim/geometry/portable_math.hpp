@@ -12,6 +12,9 @@ struct SinCos {
 /// Sine and cosine of `angle` [rad], any finite angle of moderate size; error below 1e-15 within +-pi.
 SinCos portable_sin_cos(double angle);
 
+/// Angle from the x axis to (x, y), in [-pi, pi]; error below 1e-15. Not both zero.
+double portable_atan2(double y, double x);
+
 /// Rotation from `from` (t = 0) to `to` (t = 1) along the shorter arc at constant rate.
 /// Unit quaternions in, unit quaternion out; opposite signs of the same rotation give the same answer.
 Quat portable_slerp(const Quat& from, const Quat& to, double t);

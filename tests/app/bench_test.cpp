@@ -117,7 +117,7 @@ TEST(Bench, WhatIsNoPlaceHasNoFigures) {
 }
 
 TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
-    for (const std::string suite : {"nonsense", "accuracy", ""})
+    for (const std::string suite : {"nonsense", "Speed", ""})
         program::expect_one_line_naming("SUITE", program::run({"bench", suite}));
 }
 

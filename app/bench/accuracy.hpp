@@ -1,0 +1,10 @@
+#pragma once
+#include "app/bench/row.hpp"
+
+namespace app::bench {
+
+/// The elastic rod against closed forms: each case at four resolutions, its error and the order in which that falls; then laws of
+/// scale and symmetry. `quick` leaves out the finest.
+Suite accuracy_suite(bool quick, const Progress& progress);
+
+}  // namespace app::bench

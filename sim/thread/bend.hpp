@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+
+#include "sim/thread/band.hpp"
+
+namespace sim::thread {
+
+/// Between two links, as the difference of their tangents: twice the sine of half the angle, which makes the curvature that of the
+/// circle through their three nodes. The tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error.
+struct Bend {
+    using Block = Band::Block;
+    using Vec3 = geometry::Vec3;
+
+    Bend(const Vec3& a, const Vec3& b) : la(a.norm()), lb(b.norm()), ta(a / la), tb(b / lb), difference(tb - ta) {}
+
+    // What it changes by when the nodes before it, at it and after it move.
+    std::array<Block, 3> by_nodes() const {
+        const Block before = across(ta) / la, after = across(tb) / lb;
+        return {before, -before - after, after};
+    }
+
+    // Upper blocks of the second derivative by the same nodes of half its square, but for what by_nodes() gives.
+    std::array<std::array<Block, 3>, 3> second_by_nodes() const {
+        const Block a = -turning(ta) / (la * la), b = turning(tb) / (lb * lb), none = Block::Zero();
+        return {{{a, -a, none}, {none, a + b, -b}, {none, none, b}}};
+    }
+
+    // Twice the tangent of half the angle, along the axis that they bend about.
+    Vec3 binormal() const { return 2 / (1 + ta.dot(tb)) * ta.cross(tb); }
+
+    // Upper blocks of the second derivative, by the same nodes, of the angle by which a vector carried from link to link turns
+    // (Bergou et al. 2010, "Discrete viscous threads", appendix).
+    std::array<std::array<Block, 3>, 3> turn_by_nodes() const {
+        const double chi = 1 + ta.dot(tb);
+        const Vec3 k = binormal(), middle = (ta + tb) / chi;
+        const auto own = [&](const Vec3& t, double l) -> Block {
+            return -0.25 / (l * l) * (k * (t + middle).transpose() + (t + middle) * k.transpose());
+        };
+        const Block a = own(ta, la), b = own(tb, lb), none = Block::Zero();
+        const Block ab = 0.5 / (la * lb) * (2 / chi * cross_matrix(ta) - k * middle.transpose());
+        return {{{a, ab - a, -ab}, {none, a - ab - ab.transpose() + b, ab - b}, {none, none, b}}};
+    }
+
+    double la, lb;
+    Vec3 ta, tb, difference;
+
+  private:
+    static Block cross_matrix(const Vec3& v) {
+        Block m;
+        m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+        return m;
+    }
+    static Block across(const Vec3& t) { return Block::Identity() - t * t.transpose(); }
+    Block turning(const Vec3& t) const {
+        const double along = difference.dot(t);
+        const Vec3 aside = difference - along * t;
+        return -(aside * t.transpose() + t * aside.transpose() + along * across(t));
+    }
+};
+
+}  // namespace sim::thread

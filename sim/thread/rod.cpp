@@ -1,0 +1,196 @@
+#include "sim/thread/rod.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/geometry/portable_math.hpp"
+
+namespace sim::thread {
+
+// A vector across `from`, turned by the least rotation that brings `from` to `to`; both of unit length.
+static Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) { return v - v.dot(to) / (1 + from.dot(to)) * (from + to); }
+
+double RodDef::bending_stiffness() const { return young * 0.25 * std::numbers::pi * radius * radius * radius * radius; }
+double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
+double RodDef::axial_stiffness(double link) const {
+    return axial_over_bending > 0 ? axial_over_bending * bending_stiffness() / (link * link) : young * std::numbers::pi * radius * radius;
+}
+double RodDef::mass_per_length() const { return density * std::numbers::pi * radius * radius; }
+
+Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def), nodes_(std::move(nodes)), velocity_(nodes_.size(), Vec3::Zero()) {
+    mass_.assign(nodes_.size(), 0);
+    tension_.assign(nodes_.size() - 1, 0);
+    for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+        rest_.push_back((nodes_[k + 1] - nodes_[k]).norm());
+        for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * rest_[k] * def_.mass_per_length();
+    }
+    // From the middle of the first link to that of the last: links themselves do not twist.
+    for (std::size_t k = 1; k < rest_.size(); ++k) twisted_length_ += 0.5 * (rest_[k - 1] + rest_[k]);
+    const Vec3 first = (nodes_[1] - nodes_[0]).normalized();
+    directors_[0] = first.unitOrthogonal();
+    directors_[1] = along_rod(directors_[0], nodes_);
+}
+
+// A vector across the first link, carried along the rod to the last.
+Vec3 Rod::along_rod(Vec3 across, const std::vector<Vec3>& x) const {
+    Vec3 before = (x[1] - x[0]).normalized();
+    for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+        const Vec3 now = (x[k + 1] - x[k]).normalized();
+        across = transported(across, before, now);
+        before = now;
+    }
+    return across;
+}
+
+// Directors are carried in time with the links at either end; what they then differ by along the rod is the twist that the
+// rod's writhe took off.
+std::array<Vec3, 2> Rod::directors_at(const std::vector<Vec3>& x) const {
+    const std::size_t n = x.size() - 1;
+    const auto carried = [&](const Vec3& director, std::size_t k) {
+        return transported(director, (nodes_[k + 1] - nodes_[k]).normalized(), (x[k + 1] - x[k]).normalized());
+    };
+    return {carried(directors_[0], 0), carried(directors_[1], n - 1)};
+}
+
+double Rod::twist_at(const std::vector<Vec3>& x) const {
+    if (!turn_) return 0;
+    const auto directors = directors_at(x);
+    const Vec3 along = along_rod(directors[0], x), axis = (x[x.size() - 1] - x[x.size() - 2]).normalized();
+    const double angle = geometry::portable_atan2(axis.dot(along.cross(directors[1])), along.dot(directors[1]));
+    // The turn that is nearest to the one before: no step turns a rod by half a turn.
+    constexpr double whole = 2 * std::numbers::pi;
+    return *turn_ + angle - whole * std::round((angle - turned_) / whole);
+}
+
+double Rod::unbalanced() const {
+    double most = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        if (!held_[i]) most = std::max(most, force_[i].norm());
+    return most;
+}
+
+// Nodes along `way`, no link turned by more than a third of a radian; half as far again and again until the energy does not rise.
+// It is looked at with links as long as the step foresees: turning stretches them to second order, which the next step takes back,
+// and so stiff are they that nothing else could be seen in the energy.
+bool Rod::go(const std::vector<Vec3>& way) {
+    constexpr double most_turn = 0.3;
+    double largest = 0, downhill = 0;
+    std::vector<double> tension(rest_.size());
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        const Vec3 edge = nodes_[k + 1] - nodes_[k], by = way[k + 1] - way[k];
+        largest = std::max(largest, by.norm() / rest_[k]);
+        tension[k] = def_.axial_stiffness(rest_[k]) * ((edge.norm() + edge.normalized().dot(by)) / rest_[k] - 1);
+    }
+    for (std::size_t i = 0; i < way.size(); ++i) downhill += way[i].dot(force_[i]);
+    const double before = energy(nodes_);
+    constexpr int halvings = 20;
+    std::vector<Vec3> x(nodes_.size()), judged;
+    std::vector<double> lengths(rest_.size());
+    double share = std::min(1.0, most_turn / largest);
+    for (int half = 0; half < halvings; ++half, share *= 0.5) {
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = nodes_[i] + share * way[i];
+        for (std::size_t k = 0; k < rest_.size(); ++k) {
+            const double now = (nodes_[k + 1] - nodes_[k]).norm(), then = rest_[k] * (1 + tension[k] / def_.axial_stiffness(rest_[k]));
+            lengths[k] = now + share * (then - now);
+        }
+        constexpr double noise = 1e-9;  // of sums over the rod, of which stretch is a thousandfold
+        if (share * downhill > noise * std::abs(before)) {
+            judged = x;
+            bring_to(lengths, judged);
+            if (energy(judged) > before) continue;
+        }
+        for (std::size_t k = 0; k < rest_.size(); ++k) tension_[k] += share * (tension[k] - tension_[k]);
+        accept(x);
+        return true;
+    }
+    return false;
+}
+
+// Moves nodes as little as possible until links have these lengths: Newton's method on all of them together, two rounds, of which
+// each squares the error.
+void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
+    const std::size_t n = lengths.size();
+    std::vector<Vec3> along(n);
+    std::vector<double> pivot(n), upper(n), push(n);
+    const auto gives = [&](std::size_t i) { return held_[i] ? 0.0 : 1.0; };
+    for (int round = 0; round < 2; ++round) {
+        for (std::size_t k = 0; k < n; ++k) {
+            const Vec3 edge = x[k + 1] - x[k];
+            const double length = edge.norm();
+            along[k] = edge / length;
+            push[k] = length - lengths[k];
+            pivot[k] = gives(k) + gives(k + 1);
+            if (pivot[k] == 0) pivot[k] = 1, push[k] = 0;  // between two held nodes
+            if (k > 0) upper[k - 1] = -gives(k) * along[k - 1].dot(along[k]);
+        }
+        for (std::size_t k = 1; k < n; ++k) {
+            const double factor = upper[k - 1] / pivot[k - 1];
+            pivot[k] -= factor * upper[k - 1], push[k] -= factor * push[k - 1];
+            // A straight piece between held nodes has no length to give.
+            pivot[k] = std::max(pivot[k], 1e-6);
+        }
+        for (std::size_t k = n; k-- > 0;) push[k] = (push[k] - (k + 1 < n ? upper[k] * push[k + 1] : 0)) / pivot[k];
+        for (std::size_t k = 0; k < n; ++k) {
+            x[k] += gives(k) * push[k] * along[k];
+            x[k + 1] -= gives(k + 1) * push[k] * along[k];
+        }
+    }
+}
+
+void Rod::accept(const std::vector<Vec3>& x) {
+    const double twist = twist_at(x);
+    directors_ = directors_at(x);
+    if (turn_) turned_ = twist - *turn_;
+    twist_ = twist;
+    nodes_ = x;
+}
+
+RodReport Rod::step(const RodInput& input, double seconds, int most) {
+    const std::vector<Vec3> start = nodes_;
+    inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
+    turn_ = input.turn;
+    held_.assign(nodes_.size(), 0);
+    loads_.assign(nodes_.size(), Vec3::Zero());
+    aim_ = nodes_;
+    std::vector<Vec3> x = nodes_;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        loads_[i] = mass_[i] * def_.gravity + (input.loads.empty() ? Vec3::Zero().eval() : input.loads[i]);
+        aim_[i] += seconds * velocity_[i];
+    }
+    for (const Hold& hold : input.holds) {
+        held_[static_cast<std::size_t>(hold.node)] = 1;
+        x[static_cast<std::size_t>(hold.node)] = hold.target;
+    }
+    softest_ = 0;
+    double stiffest = 0, extent = 0;
+    for (const double l : rest_) {
+        softest_ = std::max(softest_, 1e-9 * def_.bending_stiffness() / (l * l * l));
+        stiffest = std::max(stiffest, def_.axial_stiffness(l) / l);
+    }
+    for (const Vec3& p : nodes_) extent = std::max(extent, p.cwiseAbs().maxCoeff());
+    accept(x);
+    RodReport report;
+    const double tolerance = input.tolerance.value_or(1e-14 * stiffest * std::max(extent, twisted_length_));
+    for (; report.iterations < most; ++report.iterations) {
+        assemble(Stiffness::whole);
+        report.residual = unbalanced();
+        if (report.residual <= tolerance || !go(newton_step())) break;
+    }
+    report.settled = report.residual <= tolerance;
+    report.stable = report.settled && band_.factor();
+    if (seconds > 0)
+        for (std::size_t i = 0; i < nodes_.size(); ++i) velocity_[i] = (nodes_[i] - start[i]) / seconds;
+    return report;
+}
+
+double Rod::tension(int link) const {
+    const auto k = static_cast<std::size_t>(link);
+    return def_.axial_stiffness(rest_[k]) * ((nodes_[k + 1] - nodes_[k]).norm() / rest_[k] - 1);
+}
+
+double Rod::twist_moment() const { return def_.twisting_stiffness() / twisted_length_ * twist_; }
+
+Vec3 Rod::hold_force(int node) const { return -force_[static_cast<std::size_t>(node)]; }
+
+}  // namespace sim::thread

@@ -1,0 +1,103 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/geometry/vec.hpp"
+#include "sim/thread/band.hpp"
+#include "sim/thread/thread.hpp"
+
+namespace sim::thread {
+
+/// What an elastic thread is made of. SI.
+struct RodDef {
+    double radius = 0.0425e-3;       ///< [m]
+    double young = 2.8e9;            ///< Young's modulus [Pa].
+    double poisson = 0.5;            ///< Poisson's ratio, of the twist alone.
+    double density = 905;            ///< [kg/m^3]; 0: without inertia, every step ends in equilibrium.
+    double axial_over_bending = 0;   ///< Axial stiffness of a link over its bending stiffness, EA h^2 / B; 0: from radius and
+                                     ///< Young's modulus, 4 (h / radius)^2.
+    Vec3 gravity = Vec3::Zero();     ///< [m/s^2]
+
+    double bending_stiffness() const;   ///< B = E I [N m^2].
+    double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
+    double axial_stiffness(double link) const;  ///< [N], of links of this length.
+    double mass_per_length() const;     ///< [kg/m]
+};
+
+/// What acts on a rod during one step.
+struct RodInput {
+    std::span<const Hold> holds;             ///< Nodes that go where they are put.
+    std::span<const Vec3> loads = {};        ///< Force on each node [N], or none.
+    /// How far the cross-section of the last link has been turned against that of the first about the rod, beyond what they
+    /// were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
+    std::optional<double> turn = {};
+    /// Force that may stay unbalanced at a node [N]; nothing: fifty times what the rounding of its place does to the stiffest link.
+    std::optional<double> tolerance = {};
+};
+
+/// What a step came to.
+struct RodReport {
+    int iterations = 0;         ///< Newton steps.
+    double residual = 0;        ///< Largest force on a node that is left unbalanced [N].
+    bool settled = true;        ///< Within the tolerance,
+    bool stable = true;         ///< and any small move would cost energy: it is not about to buckle.
+};
+
+/// A bending, twisting, practically inextensible rod: discrete elastic rods (Bergou, Wardetzky, Robinson, Audoly and Grinspun 2008)
+/// of round cross-section, straight and untwisted when unloaded. Twist spreads evenly at once, as it does in so thin a rod
+/// (their section 5), so that nodes alone are unknown. One step of implicit Euler, by Newton's method on its energy with a direct
+/// banded solve: stable at any step and any stiffness. Cost: O(n) an iteration.
+class Rod {
+  public:
+    /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
+    Rod(const RodDef& def, std::vector<Vec3> nodes);
+
+    /// One step of `seconds`, or with density 0 to the equilibrium, in at most `most` iterations.
+    RodReport step(const RodInput& input, double seconds, int most = 20);
+
+    const RodDef& def() const { return def_; }
+    std::span<const Vec3> nodes() const { return nodes_; }
+    std::span<const double> rest_lengths() const { return rest_; }
+    double tension(int link) const;        ///< [N], negative where it is pushed together.
+    double twist_moment() const;           ///< [N m], the same all along.
+    Vec3 hold_force(int node) const;       ///< What a hold pulled with in the last step [N].
+    double twist() const { return twist_; }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
+
+  private:
+    std::array<Vec3, 2> directors_at(const std::vector<Vec3>& x) const;
+    Vec3 along_rod(Vec3 across, const std::vector<Vec3>& x) const;
+    double twist_at(const std::vector<Vec3>& x) const;
+    double energy(const std::vector<Vec3>& x) const;
+    /// All of it, or what is positive of it whatever the shape: without how forces turn with the nodes.
+    enum class Stiffness { whole, positive };
+    void assemble(Stiffness stiffness);
+    void add_stretch(Stiffness stiffness);
+    void add_bending(Stiffness stiffness);
+    void add_twist();
+    void find_twist_gradient();
+    void factor();
+    std::vector<Vec3> newton_step();
+    double unbalanced() const;
+    bool go(const std::vector<Vec3>& way);
+    void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
+    void accept(const std::vector<Vec3>& x);
+
+    RodDef def_;
+    std::vector<Vec3> nodes_, velocity_;
+    std::vector<double> tension_;
+    std::vector<double> rest_, mass_;      // per link [m], per node [kg]
+    std::array<Vec3, 2> directors_;        // across the first and the last link
+    double twisted_length_ = 0;
+    double turned_ = 0, twist_ = 0;        // of the directors along the rod, and with what the ends were turned [rad]
+
+    // Of the step that is being made.
+    std::vector<Vec3> aim_, loads_, force_, gradient_;
+    std::vector<char> held_;
+    std::optional<double> turn_;
+    double inertia_ = 0, softest_ = 0;
+    Band band_;
+};
+
+}  // namespace sim::thread
