@@ -18,12 +18,12 @@ constexpr double pi = std::numbers::pi;
 
 // Bending stiffness 1, of links of length 1 over `links` so stiff that they stretch by a millionth of what they bend.
 RodDef unit_rod(double poisson = 0.3, double slender = 1e-3) {
-    return {.radius = slender, .young = 4 / (pi * std::pow(slender, 4)), .poisson = poisson, .density = 0};
+    return {.radius = slender, .young = 4 / (pi * std::pow(slender, 4)), .poisson = poisson, .density = 0, .axial_over_bending = 0};
 }
 
 RodDef hanging(double gravity) {  // of weight 1 and hardly any bending stiffness: 1e-9 of weight times length squared
     constexpr double radius = 1e-7;
-    return {.radius = radius, .young = 4e-9 / (pi * std::pow(radius, 4)), .density = 1 / (pi * radius * radius), .gravity = {0, 0, -gravity}};
+    return {.radius = radius, .young = 4e-9 / (pi * std::pow(radius, 4)), .density = 1 / (pi * radius * radius), .axial_over_bending = 0, .gravity = {0, 0, -gravity}};
 }
 
 std::vector<Vec3> straight(int links, double length, double from = 0) {
@@ -81,7 +81,7 @@ double critical_turn(const RodDef& def, const std::vector<Vec3>& nodes, double a
     for (int i = 0; i < 40; ++i) {
         const double turn = 0.5 * (low + high);
         Rod rod(def, nodes);
-        (rod.step({.holds = clamps, .turn = turn}, 0).stable ? low : high) = turn;
+        (rod.step({.holds = clamps, .turn = turn}, 0, 0).stable ? low : high) = turn;
     }
     return low;
 }
@@ -103,7 +103,7 @@ double twisted_straight(int links) {  // moment times length over stiffness
 double helix(int links) {
     constexpr double length = 9.29, bending = 1.345, twisting = 0.789, turns = 27, slack = 0.3, radius = 2e-3;
     constexpr int steps = 60;
-    const RodDef def{.radius = radius, .young = 4 * bending / (pi * std::pow(radius, 4)), .poisson = bending / twisting - 1, .density = 0};
+    const RodDef def{.radius = radius, .young = 4 * bending / (pi * std::pow(radius, 4)), .poisson = bending / twisting - 1, .density = 0, .axial_over_bending = 0};
     const std::vector<Vec3> nodes = straight(links, length * links / (links - 1));
     Rod rod(def, nodes);
     std::vector<Vec3> aside(nodes.size(), Vec3::Zero());  // a nudge in the middle says where it buckles, and is taken off at last

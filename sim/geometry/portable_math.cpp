@@ -1,5 +1,6 @@
 #include "sim/geometry/portable_math.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sim::geometry {
@@ -22,8 +23,10 @@ SinCos portable_sin_cos(double angle) {
 double portable_atan2(double y, double x) {
     // Halve until the series is short.
     constexpr int halvings = 4;
-    const double length = std::sqrt(x * x + y * y);
-    double cos = x / length, sin = y / length;
+    const double size = std::max(std::abs(x), std::abs(y));
+    double cos = x / size, sin = y / size;
+    const double length = std::sqrt(cos * cos + sin * sin);
+    cos /= length, sin /= length;
     for (int i = 0; i < halvings; ++i) {
         const double larger = std::sqrt(0.5 * (1 + std::abs(cos))), smaller = 0.5 * std::abs(sin) / larger;
         sin = std::copysign(cos < 0 ? larger : smaller, sin);

@@ -12,7 +12,7 @@ struct SinCos {
 /// Sine and cosine of `angle` [rad], any finite angle of moderate size; error below 1e-15 within +-pi.
 SinCos portable_sin_cos(double angle);
 
-/// Angle from the x axis to (x, y), in [-pi, pi]; error below 1e-15. Not both zero.
+/// Angle from the x axis to (x, y), in [-pi, pi]; error below 2e-15, a few units in the last place. Not both zero.
 double portable_atan2(double y, double x);
 
 /// Rotation from `from` (t = 0) to `to` (t = 1) along the shorter arc at constant rate.

@@ -66,7 +66,11 @@ double Rod::twist_at(const std::vector<Vec3>& x) const {
 double Rod::unbalanced() const {
     double most = 0;
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-        if (!held_[i]) most = std::max(most, force_[i].norm());
+        if (!held_[i]) {
+            const double force = force_[i].norm();
+            if (std::isnan(force)) return force;
+            most = std::max(most, force);
+        }
     return most;
 }
 
@@ -79,10 +83,11 @@ bool Rod::go(const std::vector<Vec3>& way) {
     std::vector<double> tension(rest_.size());
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const Vec3 edge = nodes_[k + 1] - nodes_[k], by = way[k + 1] - way[k];
-        largest = std::max(largest, by.norm() / rest_[k]);
+        largest = std::max(by.norm() / rest_[k], largest);
         tension[k] = def_.axial_stiffness(rest_[k]) * ((edge.norm() + edge.normalized().dot(by)) / rest_[k] - 1);
     }
     for (std::size_t i = 0; i < way.size(); ++i) downhill += way[i].dot(force_[i]);
+    if (!std::isfinite(largest)) return false;
     const double before = energy(nodes_);
     constexpr int halvings = 20;
     std::vector<Vec3> x(nodes_.size()), judged;
@@ -98,7 +103,7 @@ bool Rod::go(const std::vector<Vec3>& way) {
         if (share * downhill > noise * std::abs(before)) {
             judged = x;
             bring_to(lengths, judged);
-            if (energy(judged) > before) continue;
+            if (!(energy(judged) <= before)) continue;
         }
         for (std::size_t k = 0; k < rest_.size(); ++k) tension_[k] += share * (tension[k] - tension_[k]);
         accept(x);
@@ -146,6 +151,24 @@ void Rod::accept(const std::vector<Vec3>& x) {
     nodes_ = x;
 }
 
+// What lies between two held nodes starts with as much of their moves as it is near them, what lies beyond the last goes along.
+void Rod::spread_between_held(std::vector<Vec3>& x) const {
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t before = none;
+    const auto move = [&](std::size_t held) { return Vec3(x[held] - nodes_[held]); };
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (!held_[i]) continue;
+        const std::size_t from = before == none ? 0 : before + 1;
+        for (std::size_t k = from; k < i; ++k) {
+            const double share = before == none ? 1 : static_cast<double>(k - before) / static_cast<double>(i - before);
+            x[k] += share * move(i) + (before == none ? Vec3::Zero().eval() : Vec3((1 - share) * move(before)));
+        }
+        before = i;
+    }
+    if (before == none) return;
+    for (std::size_t k = before + 1; k < x.size(); ++k) x[k] += move(before);
+}
+
 RodReport Rod::step(const RodInput& input, double seconds, int most) {
     const std::vector<Vec3> start = nodes_;
     inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
@@ -169,16 +192,21 @@ RodReport Rod::step(const RodInput& input, double seconds, int most) {
         stiffest = std::max(stiffest, def_.axial_stiffness(l) / l);
     }
     for (const Vec3& p : nodes_) extent = std::max(extent, p.cwiseAbs().maxCoeff());
+    spread_between_held(x);
     accept(x);
     RodReport report;
     const double tolerance = input.tolerance.value_or(1e-14 * stiffest * std::max(extent, twisted_length_));
-    for (; report.iterations < most; ++report.iterations) {
+    for (;; ++report.iterations) {
         assemble(Stiffness::whole);
         report.residual = unbalanced();
-        if (report.residual <= tolerance || !go(newton_step())) break;
+        if (report.residual <= tolerance) {  // what is foreseen of the tensions is not what keeps this balance
+            for (std::size_t k = 0; k < rest_.size(); ++k) tension_[k] = tension(static_cast<int>(k));
+            assemble(Stiffness::whole);
+        }
+        report.stable = factor() == Stiffness::whole;
+        report.settled = report.residual <= tolerance && report.stable;
+        if (report.settled || report.iterations == most || !go(newton_step())) break;
     }
-    report.settled = report.residual <= tolerance;
-    report.stable = report.settled && band_.factor();
     if (seconds > 0)
         for (std::size_t i = 0; i < nodes_.size(); ++i) velocity_[i] = (nodes_[i] - start[i]) / seconds;
     return report;

@@ -16,8 +16,9 @@ struct RodDef {
     double young = 2.8e9;            ///< Young's modulus [Pa].
     double poisson = 0.5;            ///< Poisson's ratio, of the twist alone.
     double density = 905;            ///< [kg/m^3]; 0: without inertia, every step ends in equilibrium.
-    double axial_over_bending = 0;   ///< Axial stiffness of a link over its bending stiffness, EA h^2 / B; 0: from radius and
-                                     ///< Young's modulus, 4 (h / radius)^2.
+    /// Axial stiffness of a link over its bending stiffness, EA h^2 / B: practically inextensible. 0: that of the material, which
+    /// is 4 (h / radius)^2 and stretches a suture by a twentieth at a newton.
+    double axial_over_bending = 1e4;
     Vec3 gravity = Vec3::Zero();     ///< [m/s^2]
 
     double bending_stiffness() const;   ///< B = E I [N m^2].
@@ -41,8 +42,8 @@ struct RodInput {
 struct RodReport {
     int iterations = 0;         ///< Newton steps.
     double residual = 0;        ///< Largest force on a node that is left unbalanced [N].
-    bool settled = true;        ///< Within the tolerance,
-    bool stable = true;         ///< and any small move would cost energy: it is not about to buckle.
+    bool stable = true;         ///< Any small move would cost energy: it is not about to buckle.
+    bool settled = true;        ///< Stable, and balanced within the tolerance.
 };
 
 /// A bending, twisting, practically inextensible rod: discrete elastic rods (Bergou, Wardetzky, Robinson, Audoly and Grinspun 2008)
@@ -54,7 +55,8 @@ class Rod {
     /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
     Rod(const RodDef& def, std::vector<Vec3> nodes);
 
-    /// One step of `seconds`, or with density 0 to the equilibrium, in at most `most` iterations.
+    /// One step of `seconds`, or with density 0 or no time to the equilibrium, in at most `most` iterations; with none it only says
+    /// whether the rod is in one, and a stable one.
     RodReport step(const RodInput& input, double seconds, int most = 20);
 
     const RodDef& def() const { return def_; }
@@ -77,8 +79,9 @@ class Rod {
     void add_bending(Stiffness stiffness);
     void add_twist();
     void find_twist_gradient();
-    void factor();
+    Stiffness factor();
     std::vector<Vec3> newton_step();
+    void spread_between_held(std::vector<Vec3>& x) const;
     double unbalanced() const;
     bool go(const std::vector<Vec3>& way);
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);

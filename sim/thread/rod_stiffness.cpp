@@ -99,22 +99,22 @@ void Rod::assemble(Stiffness stiffness) {
 
 // Where the whole stiffness is not positive, as on the way past a buckling, as little as will do is added to all of its diagonal
 // (Levenberg), at last nothing but Gauss and Newton's part is kept.
-void Rod::factor() {
+Rod::Stiffness Rod::factor() {
     const Band whole = band_;
     constexpr double least = 1e4, most = 1e9;  // of what is added anyway: a hundred-thousandth of a bend's stiffness to all of it
-    if (band_.factor()) return;
+    if (band_.factor()) return Stiffness::whole;
     for (double more = least; more <= most; more *= 10) {
         band_ = whole;
         for (std::size_t i = 0; i < nodes_.size(); ++i) band_.at(i, i) += more * softest_ * Block::Identity();
-        if (band_.factor()) return;
+        if (band_.factor()) return Stiffness::positive;
     }
     assemble(Stiffness::positive);
-    band_.factor();
+    band_.factor();  // of what is not finite nothing comes, and go() sees that
+    return Stiffness::positive;
 }
 
 // Twist is one number for all nodes, so it adds a matrix of rank one (Sherman and Morrison).
 std::vector<Vec3> Rod::newton_step() {
-    factor();
     std::vector<Vec3> x = force_;
     for (std::size_t i = 0; i < x.size(); ++i)
         if (held_[i]) x[i].setZero();

@@ -48,3 +48,16 @@ TEST(PortableMath, RotationBetweenTurnsOneDirectionIntoTheOther) {
     }
     EXPECT_LT((rotation_between(from, -from) * from + from).norm(), 1e-15);
 }
+
+// A twist read off by a quarter turn at the wrong side of an axis winds a rod up.
+TEST(PortableMath, AngleOfAPointIsTheLibrarysInEveryQuadrant) {
+    for (int i = -999; i <= 1000; ++i)
+        for (const double length : {1e-200, 1.0, 1e150}) {
+            const double angle = EIGEN_PI * i / 1000, x = length * std::cos(angle), y = length * std::sin(angle);
+            EXPECT_NEAR(portable_atan2(y, x), std::atan2(y, x), 2e-15) << angle;
+        }
+    EXPECT_EQ(portable_atan2(0, 1), 0);
+    EXPECT_NEAR(portable_atan2(1, 0), EIGEN_PI / 2, 1e-15);
+    EXPECT_NEAR(portable_atan2(0, -1), EIGEN_PI, 1e-15);
+    EXPECT_NEAR(portable_atan2(1e-20, 1), 1e-20, 1e-35);
+}
