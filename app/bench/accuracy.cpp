@@ -1,8 +1,10 @@
 #include "app/bench/accuracy.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/bench/core.hpp"
+#include "app/bench/gauge.hpp"
 #include "app/bench/rod_cases.hpp"
 #include "sim/thread/rod.hpp"
 
@@ -67,6 +69,36 @@ void add_laws(Suite& suite) {
     add("scaled-1e-3-apart", "a thousandth as large: apart", apart(plain, shape(1e-3, false)), 1e-6);
 }
 
+// 200 links of D of a suture under its own weight, one end held, the other led to and fro; no contact.
+void add_speed(Suite& suite, double speed) {
+    constexpr int links = 200, ticks = 600;
+    constexpr double link = 0.085e-3, length = links * link, tick = 1e-3, reach = 0.95 * length;
+    std::vector<Vec3> nodes;
+    for (int i = 0; i <= links; ++i) nodes.emplace_back(link * i, 0, 0);
+    Rod rod({.gravity = {0, 0, -9.81}}, nodes);
+    std::vector<double> us, steps;
+    double strain = 0;
+    Vec3 end = nodes.back();
+    for (int t = 0; t < ticks; ++t) {
+        end += speed * tick * (t / 10 % 2 == 0 ? Vec3(-1, 0.3, 0) : Vec3(0.8, 0, -0.3));
+        if (end.norm() > reach) end *= reach / end.norm();
+        const sim::thread::Hold holds[] = {{0, nodes[0]}, {links, end}};
+        const double begin = processor_time();
+        steps.push_back(rod.step({holds}, tick).iterations);
+        us.push_back(1e6 * (processor_time() - begin));
+        for (int k = 0; k < links; ++k) strain = std::max(strain, std::abs(rod.tension(k)) / rod.def().axial_stiffness(link));
+    }
+    const std::string mm = std::to_string(std::lround(1000 * speed)), id = "rod-200-at-" + mm, what = "200 links of 6-0, one end led at " + mm + " mm/s: ";
+    const auto add = [&](const char* name, const char* of, double value, const char* unit) {
+        suite.rows.push_back({.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = {}, .error = {}});
+    };
+    add("-p50", "median of a tick", percentile(us, 0.5), "us");
+    add("-p99", "99 of 100 ticks", percentile(us, 0.99), "us");
+    add("-worst", "slowest tick", percentile(us, 1), "us");
+    add("-steps", "Newton steps of 99 of 100", percentile(steps, 0.99), "count");
+    add("-strain", "largest strain", strain, "ratio");
+}
+
 }  // namespace
 
 Suite accuracy_suite(bool quick, const Progress& progress) {
@@ -77,6 +109,7 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
         add_case(suite, c, resolutions);
     }
     add_laws(suite);
+    for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
     return suite;
 }
 

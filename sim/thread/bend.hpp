@@ -13,16 +13,22 @@ struct Bend {
 
     Bend(const Vec3& a, const Vec3& b) : la(a.norm()), lb(b.norm()), ta(a / la), tb(b / lb), difference(tb - ta) {}
 
-    // What it changes by when the nodes before it, at it and after it move.
-    std::array<Block, 3> by_nodes() const {
-        const Block before = across(ta) / la, after = across(tb) / lb;
-        return {before, -before - after, after};
-    }
+    // Half its square changes with the nodes before it, at it and after it by these: with the first, with the last; what the node at
+    // it adds makes all of them nought.
+    Vec3 by_first() const { return aside(ta) / la; }
+    Vec3 by_last() const { return aside(tb) / lb; }
 
-    // Upper blocks of the second derivative by the same nodes of half its square, but for what by_nodes() gives.
-    std::array<std::array<Block, 3>, 3> second_by_nodes() const {
-        const Block a = -turning(ta) / (la * la), b = turning(tb) / (lb * lb), none = Block::Zero();
-        return {{{a, -a, none}, {none, a + b, -b}, {none, none, b}}};
+    // Second derivatives by the first node twice, by the last twice, by first and last. `whole`: with how the links' ends turn,
+    // without which all of them together are positive.
+    struct Second {
+        Block first, last, both;
+    };
+    Second second(bool whole) const {
+        const double c = ta.dot(tb);
+        const Block both = (Block::Identity() - ta * ta.transpose() - tb * tb.transpose() + c * ta * tb.transpose()) / (la * lb);
+        Block first = across(ta), last = across(tb);
+        if (whole) first += turning(ta), last -= turning(tb);
+        return {first / (la * la), last / (lb * lb), both};
     }
 
     // Twice the tangent of half the angle, along the axis that they bend about.
@@ -51,10 +57,10 @@ struct Bend {
         return m;
     }
     static Block across(const Vec3& t) { return Block::Identity() - t * t.transpose(); }
+    Vec3 aside(const Vec3& t) const { return difference - difference.dot(t) * t; }
     Block turning(const Vec3& t) const {
-        const double along = difference.dot(t);
-        const Vec3 aside = difference - along * t;
-        return -(aside * t.transpose() + t * aside.transpose() + along * across(t));
+        const Vec3 u = aside(t);
+        return u * t.transpose() + t * u.transpose() + difference.dot(t) * across(t);
     }
 };
 

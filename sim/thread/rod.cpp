@@ -151,6 +151,18 @@ void Rod::accept(const std::vector<Vec3>& x) {
     nodes_ = x;
 }
 
+// Whether what a step foresaw of the tensions is what they are; then it is.
+bool Rod::foresaw_tensions() {
+    constexpr double enough = 1e-3;  // of the bending stiffness at a node, whose sign it might change
+    bool so = true;
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        const double now = tension(static_cast<int>(k));
+        so = so && std::abs(now - tension_[k]) < enough * def_.bending_stiffness() / (rest_[k] * rest_[k]);
+        tension_[k] = now;
+    }
+    return so;
+}
+
 // What lies between two held nodes starts with as much of their moves as it is near them, what lies beyond the last goes along.
 void Rod::spread_between_held(std::vector<Vec3>& x) const {
     constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -199,10 +211,7 @@ RodReport Rod::step(const RodInput& input, double seconds, int most) {
     for (;; ++report.iterations) {
         assemble(Stiffness::whole);
         report.residual = unbalanced();
-        if (report.residual <= tolerance) {  // what is foreseen of the tensions is not what keeps this balance
-            for (std::size_t k = 0; k < rest_.size(); ++k) tension_[k] = tension(static_cast<int>(k));
-            assemble(Stiffness::whole);
-        }
+        if (report.residual <= tolerance && !foresaw_tensions()) assemble(Stiffness::whole);
         report.stable = factor() == Stiffness::whole;
         report.settled = report.residual <= tolerance && report.stable;
         if (report.settled || report.iterations == most || !go(newton_step())) break;

@@ -83,6 +83,7 @@ class Rod {
     std::vector<Vec3> newton_step();
     void spread_between_held(std::vector<Vec3>& x) const;
     double unbalanced() const;
+    bool foresaw_tensions();
     bool go(const std::vector<Vec3>& way);
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);

@@ -43,16 +43,12 @@ void Rod::add_bending(Stiffness stiffness) {
     for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
         const Bend bend(nodes_[i] - nodes_[i - 1], nodes_[i + 1] - nodes_[i]);
         const double bending = 2 * def_.bending_stiffness() / (rest_[i - 1] + rest_[i]);
-        const auto by = bend.by_nodes();
-        for (std::size_t r = 0; r < 3; ++r) {
-            const Block weighted = bending * by[r].transpose();
-            force_[i - 1 + r] -= weighted * bend.difference;
-            for (std::size_t c = r; c < 3; ++c) band_.at(i - 1 + r, i - 1 + c) += weighted * by[c];
-        }
-        if (stiffness != Stiffness::whole) continue;
-        const auto second = bend.second_by_nodes();
-        for (std::size_t r = 0; r < 3; ++r)
-            for (std::size_t c = r; c < 3; ++c) band_.at(i - 1 + r, i - 1 + c) += bending * second[r][c];
+        const Vec3 first = bending * bend.by_first(), last = bending * bend.by_last();
+        force_[i - 1] -= first, force_[i] += first + last, force_[i + 1] -= last;
+        auto [a, b, both] = bend.second(stiffness == Stiffness::whole);
+        a *= bending, b *= bending, both *= bending;
+        band_.at(i - 1, i - 1) += a, band_.at(i, i) += a + b + both + both.transpose(), band_.at(i + 1, i + 1) += b;
+        band_.at(i - 1, i) -= a + both, band_.at(i, i + 1) -= b + both, band_.at(i - 1, i + 1) += both;
     }
 }
 
