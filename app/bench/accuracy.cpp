@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/bench/core.hpp"
 #include "app/bench/gauge.hpp"
+#include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
 #include "sim/thread/rod.hpp"
 
@@ -69,6 +71,32 @@ void add_laws(Suite& suite) {
     add("scaled-1e-3-apart", "a thousandth as large: apart", apart(plain, shape(1e-3, false)), 1e-6);
 }
 
+// Capstan: sliding in two ticks and two links, held below what slides and let go above it.
+void add_capstan(Suite& suite, bool quick) {
+    constexpr double degree = std::numbers::pi / 180;
+    for (const double wrap : quick ? std::vector{1.0} : std::vector{0.5, 2.0, 4.0})
+        for (const double friction : {0.1, 0.2, 0.3})
+            for (const int turn : {10, 20})
+                for (const double tick : {1e-3, 4e-3}) {
+                    const double begin = processor_time(), phi = wrap * std::numbers::pi, theta = turn * degree;
+                    const Compared found = rod_capstan(friction, phi, theta, tick);
+                    const std::string id = "capstan-" + std::to_string(std::lround(2 * wrap)) + "-mu" + std::to_string(std::lround(10 * friction)) + "-turn" +
+                                           std::to_string(turn) + "-tick" + std::to_string(std::lround(1000 * tick));
+                    suite.rows.push_back({.id = id, .what = "capstan, " + std::to_string(std::lround(2 * wrap)) + " half turns, friction 0." + std::to_string(std::lround(10 * friction)) +
+                        ", links of " + std::to_string(turn) + " degrees, ticks of " + std::to_string(std::lround(1000 * tick)) + " ms: error of the ratio",
+                        .value = 100 * std::abs(found.error()), .unit = "%", .bound = 5, .error = 100 * std::abs(found.found / capstan_of_nodes(friction, phi, theta) - 1),
+                        .seconds = processor_time() - begin});
+                }
+    for (const double friction : {0.1, 0.3}) {
+        const std::string mu = std::to_string(std::lround(10 * friction));
+        const double phi = std::numbers::pi, theta = 10 * degree;
+        const std::string what = "one half turn, friction 0." + mu + ": moved in a second at ";
+        suite.rows.push_back({.id = "capstan-holds-mu" + mu, .what = what + "95 % of what slides", .value = rod_slides(friction, phi, theta, 0.95), .unit = "D", .bound = 1e-4, .error = {}});
+        suite.rows.push_back({.id = "capstan-slides-mu" + mu, .what = what + "105 %", .value = rod_slides(friction, phi, theta, 1.05), .unit = "D", .bound = 1,
+            .must = Must::be_at_least, .error = {}});
+    }
+}
+
 // 200 links of D of a suture under its own weight, one end held, the other led to and fro; no contact.
 void add_speed(Suite& suite, double speed) {
     constexpr int links = 200, ticks = 600;
@@ -108,6 +136,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
         if (progress) progress(c.what);
         add_case(suite, c, resolutions);
     }
+    if (progress) progress("capstan");
+    add_capstan(suite, quick);
     add_laws(suite);
     for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
     return suite;

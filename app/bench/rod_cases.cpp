@@ -45,7 +45,7 @@ double drop(int links, double tip_load, double weight) {
     std::vector<Vec3> loads(nodes.size(), Vec3(0, 0, -weight * link));
     loads.back() = {0, 0, -tip_load - 0.5 * weight * link};
     const Hold clamp[] = {{0, nodes[0]}, {1, nodes[1]}};
-    settle(rod, {clamp, loads});
+    settle(rod, {.holds = clamp, .loads = loads});
     return -rod.nodes().back().z();
 }
 
@@ -111,7 +111,7 @@ double helix(int links) {
     for (int i = 0; i <= steps; ++i) {
         const Vec3 back(-slack * i / steps, 0, 0);
         const Hold clamps[] = {{0, nodes[0]}, {1, nodes[1]}, {links - 1, nodes[nodes.size() - 2] + back}, {links, nodes.back() + back}};
-        settle(rod, {clamps, i < steps ? aside : std::vector<Vec3>{}, 2 * pi * turns});
+        settle(rod, {.holds = clamps, .loads = i < steps ? std::span<const Vec3>(aside) : std::span<const Vec3>{}, .turn = 2 * pi * turns});
     }
     double steepest = 1;
     for (int i = 0; i < links; ++i) {

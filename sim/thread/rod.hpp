@@ -15,6 +15,7 @@ struct RodDef {
     double radius = 0.0425e-3;       ///< [m]
     double young = 2.8e9;            ///< Young's modulus [Pa].
     double poisson = 0.5;            ///< Poisson's ratio, of the twist alone.
+    double friction = 0.15;          ///< Coulomb, against bodies.
     double density = 905;            ///< [kg/m^3]; 0: without inertia, every step ends in equilibrium.
     /// Axial stiffness of a link over its bending stiffness, EA h^2 / B: practically inextensible. 0: that of the material, which
     /// is 4 (h / radius)^2 and stretches a suture by a twentieth at a newton.
@@ -31,6 +32,7 @@ struct RodDef {
 struct RodInput {
     std::span<const Hold> holds;             ///< Nodes that go where they are put.
     std::span<const Vec3> loads = {};        ///< Force on each node [N], or none.
+    std::span<const MovingCapsule> bodies = {};  ///< What nodes rest on and slide over, the same ones in every step.
     /// How far the cross-section of the last link has been turned against that of the first about the rod, beyond what they
     /// were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
     std::optional<double> turn = {};
@@ -60,14 +62,29 @@ class Rod {
     RodReport step(const RodInput& input, double seconds, int most = 20);
 
     const RodDef& def() const { return def_; }
-    std::span<const Vec3> nodes() const { return nodes_; }
+    std::span<const Vec3> nodes() const { return now_.nodes; }
     std::span<const double> rest_lengths() const { return rest_; }
     double tension(int link) const;        ///< [N], negative where it is pushed together.
     double twist_moment() const;           ///< [N m], the same all along.
     Vec3 hold_force(int node) const;       ///< What a hold pulled with in the last step [N].
-    double twist() const { return twist_; }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
+    double twist() const { return now_.twist; }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
+
+    /// A node and a body that are near each other.
+    struct Touch {
+        int node, body;
+        double push;          ///< [N] along the normal.
+        Vec3 anchor;          ///< Where it would come to rest without other forces [m].
+        double limit = 0;     ///< Of its friction in this step [N].
+    };
+    std::span<const Touch> touches() const { return now_.touches; }
 
   private:
+    Vec3 from_axis(const Touch& touch, const Vec3& x) const;
+    double push(const Touch& touch, double distance) const;
+    void find_touches(std::span<const MovingCapsule> bodies);
+    void add_contact();
+    double contact_energy(const std::vector<Vec3>& x) const;
+    void settle_touches();
     std::array<Vec3, 2> directors_at(const std::vector<Vec3>& x) const;
     Vec3 along_rod(Vec3 across, const std::vector<Vec3>& x) const;
     double twist_at(const std::vector<Vec3>& x) const;
@@ -88,19 +105,29 @@ class Rod {
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);
 
+    RodReport step_in_parts(const RodInput& input, double seconds, int most, int halvings);
+    RodReport try_step(const RodInput& input, double seconds, int most);
+
     RodDef def_;
-    std::vector<Vec3> nodes_, velocity_;
-    std::vector<double> tension_;
     std::vector<double> rest_, mass_;      // per link [m], per node [kg]
-    std::array<Vec3, 2> directors_;        // across the first and the last link
     double twisted_length_ = 0;
-    double turned_ = 0, twist_ = 0;        // of the directors along the rod, and with what the ends were turned [rad]
+
+    /// What a step starts from.
+    struct Moving {
+        std::vector<Vec3> nodes, velocity;
+        std::vector<double> tension;       // foreseen [N]
+        std::array<Vec3, 2> directors;     // across the first and the last link
+        double turned = 0, twist = 0;      // of the directors along the rod, and with what the ends were turned [rad]
+        std::vector<Touch> touches;
+    } now_;
 
     // Of the step that is being made.
     std::vector<Vec3> aim_, loads_, force_, gradient_;
     std::vector<char> held_;
     std::optional<double> turn_;
     double inertia_ = 0, softest_ = 0;
+    double stiff_ = 0;                     // of contact [N/m]
+    std::vector<MovingCapsule> bodies_;
     Band band_;
 };
 

@@ -23,25 +23,25 @@ double Rod::energy(const std::vector<Vec3>& x) const {
         if (inertia_ > 0) sum += 0.5 * inertia_ * mass_[i] * (x[i] - aim_[i]).squaredNorm();
     }
     const double twist = twist_at(x);
-    return sum + 0.5 * def_.twisting_stiffness() / twisted_length_ * twist * twist;
+    return sum + contact_energy(x) + 0.5 * def_.twisting_stiffness() / twisted_length_ * twist * twist;
 }
 
 void Rod::add_stretch(Stiffness stiffness) {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
-        const Vec3 edge = nodes_[k + 1] - nodes_[k];
+        const Vec3 edge = now_.nodes[k + 1] - now_.nodes[k];
         const double length = edge.norm(), axial = def_.axial_stiffness(rest_[k]), pull = axial * (length / rest_[k] - 1);
         const Vec3 t = edge / length;
         force_[k] += pull * t, force_[k + 1] -= pull * t;
         // A link that is pushed together would fall aside.
-        const double across = (stiffness == Stiffness::whole ? tension_[k] : std::max(0.0, tension_[k])) / length;
+        const double across = (stiffness == Stiffness::whole ? now_.tension[k] : std::max(0.0, now_.tension[k])) / length;
         const Block block = (axial / rest_[k] - across) * t * t.transpose() + across * Block::Identity();
         band_.at(k, k) += block, band_.at(k + 1, k + 1) += block, band_.at(k, k + 1) -= block;
     }
 }
 
 void Rod::add_bending(Stiffness stiffness) {
-    for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
-        const Bend bend(nodes_[i] - nodes_[i - 1], nodes_[i + 1] - nodes_[i]);
+    for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {
+        const Bend bend(now_.nodes[i] - now_.nodes[i - 1], now_.nodes[i + 1] - now_.nodes[i]);
         const double bending = 2 * def_.bending_stiffness() / (rest_[i - 1] + rest_[i]);
         const Vec3 first = bending * bend.by_first(), last = bending * bend.by_last();
         force_[i - 1] -= first, force_[i] += first + last, force_[i + 1] -= last;
@@ -53,8 +53,8 @@ void Rod::add_bending(Stiffness stiffness) {
 }
 
 void Rod::add_twist() {
-    for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
-        const auto second = Bend(nodes_[i] - nodes_[i - 1], nodes_[i + 1] - nodes_[i]).turn_by_nodes();
+    for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {
+        const auto second = Bend(now_.nodes[i] - now_.nodes[i - 1], now_.nodes[i + 1] - now_.nodes[i]).turn_by_nodes();
         for (std::size_t r = 0; r < 3; ++r)
             for (std::size_t c = r; c < 3; ++c) band_.at(i - 1 + r, i - 1 + c) += twist_moment() * second[r][c];
     }
@@ -62,9 +62,9 @@ void Rod::add_twist() {
 
 // How the writhe, and so the twist, changes with the nodes (Bergou et al. 2010, eq. 10).
 void Rod::find_twist_gradient() {
-    gradient_.assign(nodes_.size(), Vec3::Zero());
-    for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
-        const Bend bend(nodes_[i] - nodes_[i - 1], nodes_[i + 1] - nodes_[i]);
+    gradient_.assign(now_.nodes.size(), Vec3::Zero());
+    for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {
+        const Bend bend(now_.nodes[i] - now_.nodes[i - 1], now_.nodes[i + 1] - now_.nodes[i]);
         const Vec3 before = -0.5 / bend.la * bend.binormal(), after = 0.5 / bend.lb * bend.binormal();
         gradient_[i - 1] += before, gradient_[i] -= before + after, gradient_[i + 1] += after;
     }
@@ -72,20 +72,21 @@ void Rod::find_twist_gradient() {
 
 void Rod::assemble(Stiffness stiffness) {
     force_ = loads_;
-    band_.clear(nodes_.size());
+    band_.clear(now_.nodes.size());
     add_stretch(stiffness);
     add_bending(stiffness);
+    add_contact();
     if (inertia_ > 0)
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            force_[i] -= inertia_ * mass_[i] * (nodes_[i] - aim_[i]);
+        for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
+            force_[i] -= inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
             band_.at(i, i) += inertia_ * mass_[i] * Block::Identity();
         }
     if (turn_) {
         if (stiffness == Stiffness::whole) add_twist();
         find_twist_gradient();
-        for (std::size_t i = 0; i < nodes_.size(); ++i) force_[i] -= twist_moment() * gradient_[i];
+        for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] -= twist_moment() * gradient_[i];
     }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
         band_.at(i, i) += softest_ * Block::Identity();
         if (!held_[i]) continue;
         band_.fix(i);
@@ -101,7 +102,7 @@ Rod::Stiffness Rod::factor() {
     if (band_.factor()) return Stiffness::whole;
     for (double more = least; more <= most; more *= 10) {
         band_ = whole;
-        for (std::size_t i = 0; i < nodes_.size(); ++i) band_.at(i, i) += more * softest_ * Block::Identity();
+        for (std::size_t i = 0; i < now_.nodes.size(); ++i) band_.at(i, i) += more * softest_ * Block::Identity();
         if (band_.factor()) return Stiffness::positive;
     }
     assemble(Stiffness::positive);

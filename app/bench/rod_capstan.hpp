@@ -1,0 +1,16 @@
+#pragma once
+#include "app/bench/rod_cases.hpp"
+
+namespace app::bench {
+
+/// A thin rod wound about a cylinder ten times as thick, hardly stiff against bending, pulled over it at 10 mm/s against a load:
+/// the pull over the load when it slides, and Euler and Eytelwein's e^(friction wrap). `turn`: of a link about the cylinder [rad].
+Compared rod_capstan(double friction, double wrap, double turn, double tick);
+
+/// The same, of a polyline: what its nodes carry (surgery-and-physics.md, table D1).
+double capstan_of_nodes(double friction, double wrap, double turn);
+
+/// Loaded at both ends, the one with this share of what slides for a polyline: how far it goes in a second after that [D].
+double rod_slides(double friction, double wrap, double turn, double share);
+
+}  // namespace app::bench
