@@ -52,16 +52,10 @@ double turn_at(std::span<const Vec3> p, std::size_t i) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// T2/T1 over one node, where the thread turns by `turn`.
-double ratio(double friction, double turn) {
-    const double t = friction * std::tan(turn / 2);
-    return (1 + t) / (1 - t);
-}
-
 // What the pulling side would carry for this friction, from the tension `t` before the nodes [first, last] and the drag of
 // every link.
 double pulled_with(double friction, std::span<const double> turns, double t, double drag) {
-    for (const double turn : turns) t = t * ratio(friction, turn) + drag;
+    for (const double turn : turns) t = t * ratio_over_node(friction, turn) + drag;
     return t;
 }
 
@@ -84,7 +78,7 @@ Wrap wrap_of(std::span<const Vec3> nodes, double angle_of_link) {
 
 double exponent(double friction, std::span<const double> turns) {
     double sum = 0;
-    for (const double turn : turns) sum += std::log(ratio(friction, turn));
+    for (const double turn : turns) sum += std::log(ratio_over_node(friction, turn));
     return sum;
 }
 
@@ -105,6 +99,11 @@ std::optional<double> ratio_read(const Thread& thread, const CapstanCase& c) {
 }
 
 }  // namespace
+
+double ratio_over_node(double friction, double turn) {
+    const double t = friction * std::tan(turn / 2);
+    return (1 + t) / (1 - t);
+}
 
 double Capstan::deviation() const {
     constexpr double enough = 0.5;  // of all ticks

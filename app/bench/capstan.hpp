@@ -22,6 +22,10 @@ struct Capstan {
     double deviation() const;
 };
 
+/// T2/T1 over one node of a polyline that turns there by `turn` [rad], sliding with this Coulomb coefficient; over many of them the
+/// product (surgery-and-physics.md, table D1). `friction` tan(turn / 2) < 1.
+double ratio_over_node(double friction, double turn);
+
 Capstan capstan(const CapstanCase& c);
 
 std::vector<Row> capstan_rows(bool quick);

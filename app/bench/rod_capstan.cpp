@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/capstan.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace app::bench {
@@ -46,8 +47,7 @@ struct Wound {
 }  // namespace
 
 double capstan_of_nodes(double friction, double wrap, double turn) {
-    const double t = friction * std::tan(turn / 2);
-    return std::pow((1 + t) / (1 - t), wrap / turn);
+    return std::pow(ratio_over_node(friction, turn), wrap / turn);
 }
 
 Compared rod_capstan(double friction, double wrap, double turn, double tick) {

@@ -65,10 +65,8 @@ std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
     return near;
 }
 
-static std::string called(const sim::knot::Name& name) { return name.surgical.empty() ? name.knot : name.surgical; }
-
 void Session::sample() {
-    scenarios::drill::Sample sample{world_.time_s(), world_.tension_now(), {}, {}, {}, called(world_.measures().knot)};
+    scenarios::drill::Sample sample{world_.time_s(), world_.tension_now(), {}, {}, {}, world_.measures().knot.called()};
     const double since_last = samples_.empty() ? sample.t_s : sample.t_s - samples_.back().t_s;
     for (std::size_t i = 0; i < world_.tools().size(); ++i) {
         const auto& tool = world_.tools()[i];

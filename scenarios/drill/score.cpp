@@ -123,7 +123,7 @@ void score_knot(const Goal& goal, const world::Measures& measures, std::vector<S
 void score_throws(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     if (goal.throws == 0 && goal.notation.empty()) return;
     const std::string& found = measures.knot.throws;
-    const auto count = std::count_if(found.begin(), found.end(), [](char c) { return c >= '1' && c <= '9'; });
+    const int count = throw_count(found);
     ScoreItem item{"throws", "Throws", "", "", "", false, measures.knot_since_s, ""};
     if (!goal.notation.empty()) {
         item.value = found.empty() ? "none" : found;

@@ -26,11 +26,11 @@ std::string notation(const Stack& stack, int throws) {
     return text;
 }
 
-int count(const std::string& notation) {
+}  // namespace
+
+int throw_count(const std::string& notation) {
     return static_cast<int>(std::count_if(notation.begin(), notation.end(), [](char c) { return c >= '1' && c <= '9'; }));
 }
-
-}  // namespace
 
 bool is_hitch(const std::string& tie) {
     return tie == "clove hitch" || tie == "constrictor" || tie == "cow hitch" || tie == "prusik";
@@ -39,7 +39,7 @@ bool is_hitch(const std::string& tie) {
 GoalFault fault_of(const Goal& goal, bool has_vessel) {
     if (is_hitch(goal.tie) && !has_vessel) return {"tie", "a " + goal.tie + " needs a vessel to be tied round, and there is none"};
     const Stack* stack = stack_of(goal.tie);
-    const int asked = goal.notation.empty() ? goal.throws : count(goal.notation);
+    const int asked = goal.notation.empty() ? goal.throws : throw_count(goal.notation);
     if (asked == 0) return {};
     if (!stack) return {"throws", "a " + goal.tie + " has no throws, expected no such key"};
     if (asked < stack->least || asked > stack->most)

@@ -11,6 +11,9 @@ struct GoalFault {
 };
 GoalFault fault_of(const Goal& goal, bool has_vessel);
 
+/// How many throws a notation has: "2=1" two.
+int throw_count(const std::string& notation);
+
 /// Made fast round a vessel: of no throws.
 bool is_hitch(const std::string& tie);
 

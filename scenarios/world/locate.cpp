@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "scenarios/world/world.hpp"
+#include "sim/geometry/closest_points.hpp"
 #include "sim/knot/form.hpp"
 
 namespace scenarios::world {
@@ -35,9 +37,8 @@ double length_mm(std::span<const double> rest, std::size_t first, std::size_t la
 
 // From a point to a tube's surface [m].
 double off_surface(const VesselDef& tube, const Vec3& p) {
-    const Vec3 axis = tube.axis.normalized(), from = p - tube.centre;
-    const Vec3 on = std::clamp(from.dot(axis), -0.5 * tube.length, 0.5 * tube.length) * axis;
-    return (from - on).norm() - 0.5 * tube.diameter;
+    const Vec3 half = 0.5 * tube.length * tube.axis.normalized();
+    return std::sqrt(sim::geometry::closest_points(p, p, tube.centre - half, tube.centre + half).distance_squared) - 0.5 * tube.diameter;
 }
 
 }  // namespace

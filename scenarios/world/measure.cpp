@@ -78,7 +78,7 @@ void World::name_knot_now() {
 
 void World::take_name(sim::knot::Tied tied) {
     if (tied.name.knot != measures_.knot.knot || tied.name.surgical != measures_.knot.surgical) {
-        log("knot", tied.name.surgical.empty() ? tied.name.knot : tied.name.surgical, 0);
+        log("knot", tied.name.called(), 0);
         measures_.knot_since_s = time_s();
     }
     measures_.knot = std::move(tied.name);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "sim/geometry/closest_points.hpp"
 #include "sim/knot/arc.hpp"
 #include "sim/knot/identify.hpp"
 
@@ -34,10 +35,9 @@ Vec3 nearest_on_pole(const Strand& rope, const Strand& pole, bool closed) {
     Vec3 nearest = pole.front();
     double least = -1;
     for (std::size_t i = 0; i + 1 < pole.size() + (closed ? 1 : 0); ++i) {
-        const Vec3 &a = pole[i], along = pole[(i + 1) % pole.size()] - a;
         for (const Vec3& p : rope) {
-            const Vec3 on = a + std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
-            if (const double d = (p - on).squaredNorm(); least < 0 || d < least) least = d, nearest = on;
+            const auto pair = geometry::closest_points(p, p, pole[i], pole[(i + 1) % pole.size()]);
+            if (least < 0 || pair.distance_squared < least) least = pair.distance_squared, nearest = pair.on_b;
         }
     }
     return nearest;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "sim/knot/hitch.hpp"
 #include "sim/knot/homfly.hpp"
@@ -154,12 +155,16 @@ Closing named_closing(const Polygons& polygons, Work& work) {
 }
 
 // Round any of several objects.
-std::string first_hitch(const std::vector<Component>& components) {
-    for (std::size_t i = 1; i < components.size(); ++i) {
-        const std::string hitch = name_link({components[0], components[i]}).name.surgical;
-        if (holds_by_itself(hitch)) return hitch;
+struct Hitched {
+    std::string hitch;
+    int round = -1;
+};
+Hitched first_hitch(const Component& rope, std::span<const Component> objects) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const std::string hitch = name_link({rope, objects[i]}).name.surgical;
+        if (holds_by_itself(hitch)) return {hitch, static_cast<int>(i)};
     }
-    return "";
+    return {};
 }
 
 }  // namespace
@@ -190,7 +195,7 @@ LinkName name_link(const std::vector<Component>& components) {
     if (std::count(candidates.begin(), candidates.end(), name.knot) < static_cast<std::ptrdiff_t>(candidates.size()))
         name.certain = false, name.candidates = candidates;
     if (components.front().closed || !closing.first.known) return closing.link;
-    if (closing.first.factors.empty()) name.surgical = components.size() == 2 ? hitch(name, strands, closed, ways) : first_hitch(components);
+    if (closing.first.factors.empty()) name.surgical = components.size() == 2 ? hitch(name, strands, closed, ways) : first_hitch(components[0], std::span(components).subspan(1)).hitch;
     if (name.surgical.empty()) read_surgical(strands.front(), few.front(), closing.first, work, name);
     return closing.link;
 }
@@ -198,13 +203,10 @@ LinkName name_link(const std::vector<Component>& components) {
 Tied name_among(const std::vector<Vec3>& thread, const std::vector<std::vector<Vec3>>& objects) {
     Tied tied{name_knot(thread), -1};
     if (tied.name.knot != "0_1" || !tied.name.certain) return tied;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const Name with = name_link({{thread, false}, {objects[i], false}}).name;
-        if (!holds_by_itself(with.surgical)) continue;
-        tied.name.surgical = with.surgical;
-        tied.round = static_cast<int>(i);
-        break;
-    }
+    std::vector<Component> cores;
+    for (const auto& object : objects) cores.push_back({object, false});
+    const Hitched hitched = first_hitch({thread, false}, cores);
+    if (hitched.round >= 0) tied.name.surgical = hitched.hitch, tied.round = hitched.round;
     return tied;
 }
 

@@ -32,6 +32,8 @@ struct Name {
     std::vector<std::string> candidates;  ///< What remains when not certain.
     bool flat = true;                     ///< The throws lie flat (square); false: capsized into sliding half hitches.
     std::string half_hitches;             ///< Trimbos: "S=S", "SxS", of a stack that is not flat.
+    const std::string& called() const { return surgical.empty() ? knot : surgical; }
+
     std::vector<Throw> throw_list;        ///< `throws` with the hand of each, from the loop outwards.
 };
 
@@ -70,7 +72,8 @@ struct Tied {
     int round = -1;  ///< The object it is hitched to.
 };
 
-/// `objects`: each a core line that goes on beyond the thread at either end. A turn round one is no hitch: nothing holds it.
+/// `objects`: each a core line that goes on beyond the thread at either end. A turn round one is no hitch: nothing holds it. Cost: that of
+/// name_knot, and of a thread without a knot that of name_link and four names for each object.
 Tied name_among(const std::vector<Vec3>& thread, const std::vector<std::vector<Vec3>>& objects);
 
 /// Two edges that meet, so that the curve has no type: first edge (component, index of its first vertex) and second.

@@ -32,6 +32,12 @@ Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     }
     // From the middle of the first link to that of the last: links themselves do not twist.
     for (std::size_t k = 1; k < rest_.size(); ++k) twisted_length_ += 0.5 * (rest_[k - 1] + rest_[k]);
+    // A billionth of a bend's stiffness keeps what nothing holds from being nought, and moves nothing: it is against the last iterate.
+    for (const double l : rest_) {
+        softest_ = std::max(softest_, 1e-9 * def_.bending_stiffness() / (l * l * l));
+        stiffest_ = std::max(stiffest_, def_.axial_stiffness(l) / l);
+    }
+    stiff_ = contact_over_axial * stiffest_;
     const Vec3 first = (now_.nodes[1] - now_.nodes[0]).normalized();
     now_.directors[0] = first.unitOrthogonal();
     now_.directors[1] = along_rod(now_.directors[0], now_.nodes);
@@ -137,7 +143,8 @@ void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
         for (std::size_t k = 1; k < n; ++k) {
             const double factor = upper[k - 1] / pivot[k - 1];
             pivot[k] -= factor * upper[k - 1], push[k] -= factor * push[k - 1];
-            // A straight piece between held nodes has no length to give.
+            // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a millionth of
+            // the others, which are about one; what then moves too far no energy accepts.
             pivot[k] = std::max(pivot[k], 1e-6);
         }
         for (std::size_t k = n; k-- > 0;) push[k] = (push[k] - (k + 1 < n ? upper[k] * push[k + 1] : 0)) / pivot[k];
@@ -233,19 +240,13 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
         held_[static_cast<std::size_t>(hold.node)] = 1;
         x[static_cast<std::size_t>(hold.node)] = hold.target;
     }
-    softest_ = 0;
-    double stiffest = 0, extent = 0;
-    for (const double l : rest_) {
-        softest_ = std::max(softest_, 1e-9 * def_.bending_stiffness() / (l * l * l));
-        stiffest = std::max(stiffest, def_.axial_stiffness(l) / l);
-    }
+    double extent = 0;
     for (const Vec3& p : now_.nodes) extent = std::max(extent, p.cwiseAbs().maxCoeff());
-    stiff_ = contact_over_axial * stiffest;
     spread_between_held(x);
     accept(x);
     find_touches(input.bodies);
     RodReport report;
-    const double tolerance = input.tolerance.value_or(1e-14 * stiffest * std::max(extent, twisted_length_));
+    const double tolerance = input.tolerance.value_or(1e-14 * stiffest_ * std::max(extent, twisted_length_));
     for (;; ++report.iterations) {
         assemble(Stiffness::whole);
         report.residual = unbalanced();

@@ -57,6 +57,7 @@ class Rod {
     /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
     Rod(const RodDef& def, std::vector<Vec3> nodes);
 
+    /// Everything in `input` must be finite and nodes exist; the caller sees to that. Allocates.
     /// One step of `seconds`, or with density 0 or no time to the equilibrium, in at most `most` iterations; with none it only says
     /// whether the rod is in one, and a stable one.
     RodReport step(const RodInput& input, double seconds, int most = 20);
@@ -80,7 +81,12 @@ class Rod {
 
   private:
     Vec3 from_axis(const Touch& touch, const Vec3& x) const;
-    double push(const Touch& touch, double distance) const;
+    /// Of a touch with its node at x: what it pushes with [N] and where to, and how far it slipped from its anchor [m].
+    struct Pressed {
+        double push;
+        Vec3 normal, slip;
+    };
+    Pressed pressed(const Touch& touch, const Vec3& x) const;
     void find_touches(std::span<const MovingCapsule> bodies);
     void add_contact();
     double contact_energy(const std::vector<Vec3>& x) const;
@@ -110,7 +116,9 @@ class Rod {
 
     RodDef def_;
     std::vector<double> rest_, mass_;      // per link [m], per node [kg]
-    double twisted_length_ = 0;
+    double twisted_length_ = 0;            // [m]
+    double softest_ = 0, stiffest_ = 0;    // [N/m] added to every node, and of a link against stretch
+    double stiff_ = 0;                     // [N/m] of contact
 
     /// What a step starts from.
     struct Moving {
@@ -125,10 +133,9 @@ class Rod {
     std::vector<Vec3> aim_, loads_, force_, gradient_;
     std::vector<char> held_;
     std::optional<double> turn_;
-    double inertia_ = 0, softest_ = 0;
-    double stiff_ = 0;                     // of contact [N/m]
+    double inertia_ = 0;                   // [1/s^2]
     std::vector<MovingCapsule> bodies_;
-    Band band_;
+    Band band_, whole_;
 };
 
 }  // namespace sim::thread

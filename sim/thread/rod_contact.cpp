@@ -12,10 +12,12 @@ Vec3 Rod::from_axis(const Touch& touch, const Vec3& x) const {
     return x - geometry::closest_points(x, x, c.a, c.b).on_b;
 }
 
-// What a contact pushes with [N]: augmented Lagrangian, nothing where it is open.
-double Rod::push(const Touch& touch, double distance) const {
-    const double thickness = bodies_[static_cast<std::size_t>(touch.body)].to.radius + def_.radius;
-    return std::max(0.0, touch.push + stiff_ * (thickness - distance));
+// Augmented Lagrangian: nothing where it is open.
+Rod::Pressed Rod::pressed(const Touch& touch, const Vec3& x) const {
+    const Vec3 away = from_axis(touch, x), moved = x - touch.anchor;
+    const double distance = away.norm(), thickness = bodies_[static_cast<std::size_t>(touch.body)].to.radius + def_.radius;
+    const Vec3 normal = away / distance;
+    return {std::max(0.0, touch.push + stiff_ * (thickness - distance)), normal, moved - moved.dot(normal) * normal};
 }
 
 // Nodes within a diameter of a body. A contact that was there before keeps its push and its anchor, which goes with the body.
@@ -38,18 +40,14 @@ void Rod::find_touches(std::span<const MovingCapsule> bodies) {
 void Rod::add_contact() {
     for (Touch& touch : now_.touches) {
         const auto i = static_cast<std::size_t>(touch.node);
-        const Vec3 away = from_axis(touch, now_.nodes[i]);
-        const double distance = away.norm(), force = push(touch, distance);
-        touch.limit = def_.friction * force;
-        if (force == 0) continue;
-        const Vec3 normal = away / distance;
+        const auto [push, normal, slip] = pressed(touch, now_.nodes[i]);
+        touch.limit = def_.friction * push;
+        if (push == 0) continue;
         const Block across = Block::Identity() - normal * normal.transpose();
-        force_[i] += force * normal;
+        force_[i] += push * normal;
         // Where the body curves away from under the node the push turns with it; that would make the matrix not positive.
         band_.at(i, i) += stiff_ * normal * normal.transpose();
-        const Vec3 slip = across * (now_.nodes[i] - touch.anchor);
-        const double drag = stiff_ * slip.norm();
-        if (drag <= touch.limit) {
+        if (stiff_ * slip.norm() <= touch.limit) {
             force_[i] -= stiff_ * slip;
             band_.at(i, i) += stiff_ * across;
         } else {
@@ -63,12 +61,9 @@ void Rod::add_contact() {
 double Rod::contact_energy(const std::vector<Vec3>& x) const {
     double sum = 0;
     for (const Touch& touch : now_.touches) {
-        const Vec3 at = x[static_cast<std::size_t>(touch.node)], away = from_axis(touch, at);
-        const double distance = away.norm(), force = push(touch, distance);
-        sum += force * force / (2 * stiff_);
-        if (touch.limit == 0) continue;
-        const Vec3 normal = away / distance, moved = at - touch.anchor;
-        const double slip = (moved - moved.dot(normal) * normal).norm(), drag = stiff_ * slip;
+        const Pressed p = pressed(touch, x[static_cast<std::size_t>(touch.node)]);
+        sum += p.push * p.push / (2 * stiff_);
+        const double slip = p.slip.norm(), drag = stiff_ * slip;
         sum += drag <= touch.limit ? 0.5 * drag * slip : touch.limit * (slip - 0.5 * touch.limit / stiff_);
     }
     return sum;
@@ -77,12 +72,11 @@ double Rod::contact_energy(const std::vector<Vec3>& x) const {
 // After a step: multipliers take over what the stiffness carries, anchors of what slipped are drawn along.
 void Rod::settle_touches() {
     for (Touch& touch : now_.touches) {
-        const Vec3 at = now_.nodes[static_cast<std::size_t>(touch.node)], away = from_axis(touch, at);
-        const double distance = away.norm();
-        touch.push = push(touch, distance);
-        const Vec3 normal = away / distance, moved = at - touch.anchor, slip = moved - moved.dot(normal) * normal;
-        const double most = def_.friction * touch.push / stiff_;
-        touch.anchor = at - (slip.norm() <= most || slip.norm() == 0 ? slip : Vec3(most / slip.norm() * slip));
+        const Vec3 at = now_.nodes[static_cast<std::size_t>(touch.node)];
+        const Pressed p = pressed(touch, at);
+        const double most = def_.friction * p.push / stiff_, slip = p.slip.norm();
+        touch.push = p.push;
+        touch.anchor = at - (slip <= most ? p.slip : Vec3(most / slip * p.slip));
     }
 }
 

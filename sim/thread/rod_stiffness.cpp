@@ -97,11 +97,11 @@ void Rod::assemble(Stiffness stiffness) {
 // Where the whole stiffness is not positive, as on the way past a buckling, as little as will do is added to all of its diagonal
 // (Levenberg), at last nothing but Gauss and Newton's part is kept.
 Rod::Stiffness Rod::factor() {
-    const Band whole = band_;
+    whole_ = band_;
     constexpr double least = 1e4, most = 1e9;  // of what is added anyway: a hundred-thousandth of a bend's stiffness to all of it
     if (band_.factor()) return Stiffness::whole;
     for (double more = least; more <= most; more *= 10) {
-        band_ = whole;
+        band_ = whole_;
         for (std::size_t i = 0; i < now_.nodes.size(); ++i) band_.at(i, i) += more * softest_ * Block::Identity();
         if (band_.factor()) return Stiffness::positive;
     }
