@@ -1,14 +1,16 @@
 #pragma once
 #include <array>
 
-#include "sim/thread/band.hpp"
+#include <Eigen/Core>
+
+#include "sim/geometry/vec.hpp"
 
 namespace sim::thread {
 
 /// Between two links, as the difference of their tangents: twice the sine of half the angle, which makes the curvature that of the
 /// circle through their three nodes. The tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error.
 struct Bend {
-    using Block = Band::Block;
+    using Block = Eigen::Matrix3d;
     using Vec3 = geometry::Vec3;
 
     Bend(const Vec3& a, const Vec3& b) : la(a.norm()), lb(b.norm()), ta(a / la), tb(b / lb), difference(tb - ta) {}

@@ -109,7 +109,7 @@ static bool join_where_straight(State& state, std::span<int> held) {
 
 bool fit_links(State& state, std::span<int> held) {
     const bool stands = state.unfinished.pace >= 0 || (state.reach > 0 && state.moved <= state.def.radius);
-    if (state.def.shortest_link <= 0 || state.settled || stands) return false;
+    if (state.def.shortest_link <= 0 || state.rod || state.settled || stands) return false;
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
     for (const int node : held) state.inverse_mass[at(node)] = 0;
     measure_nearest(state);

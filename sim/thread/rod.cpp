@@ -4,21 +4,19 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/geometry/portable_math.hpp"
-
 namespace sim::thread {
 
 // How stiff contact is against a link: so deep does a node go before the multiplier has taken over, in a few steps.
 static constexpr double contact_over_axial = 0.1;
-
-// A vector across `from`, turned by the least rotation that brings `from` to `to`; both of unit length.
-static Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) { return v - v.dot(to) / (1 + from.dot(to)) * (from + to); }
 
 double RodDef::bending_stiffness() const { return young * 0.25 * std::numbers::pi * radius * radius * radius * radius; }
 double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
 double RodDef::axial_stiffness(double link) const {
     return axial_over_bending > 0 ? axial_over_bending * bending_stiffness() / (link * link) : young * std::numbers::pi * radius * radius;
 }
+// Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
+// thickness.
+double RodDef::contact_stiffness(double link) const { return 10 * axial_stiffness(link) / (2 * radius); }
 double RodDef::mass_per_length() const { return density * std::numbers::pi * radius * radius; }
 
 Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
@@ -26,6 +24,7 @@ Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     now_.velocity.assign(now_.nodes.size(), Vec3::Zero());
     mass_.assign(now_.nodes.size(), 0);
     now_.tension.assign(now_.nodes.size() - 1, 0);
+    force_.resize(now_.nodes.size());
     for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k) {
         rest_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
         for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * rest_[k] * def_.mass_per_length();
@@ -43,37 +42,6 @@ Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     now_.directors[1] = along_rod(now_.directors[0], now_.nodes);
 }
 
-// A vector across the first link, carried along the rod to the last.
-Vec3 Rod::along_rod(Vec3 across, const std::vector<Vec3>& x) const {
-    Vec3 before = (x[1] - x[0]).normalized();
-    for (std::size_t k = 1; k + 1 < x.size(); ++k) {
-        const Vec3 now = (x[k + 1] - x[k]).normalized();
-        across = transported(across, before, now);
-        before = now;
-    }
-    return across;
-}
-
-// Directors are carried in time with the links at either end; what they then differ by along the rod is the twist that the
-// rod's writhe took off.
-std::array<Vec3, 2> Rod::directors_at(const std::vector<Vec3>& x) const {
-    const std::size_t n = x.size() - 1;
-    const auto carried = [&](const Vec3& director, std::size_t k) {
-        return transported(director, (now_.nodes[k + 1] - now_.nodes[k]).normalized(), (x[k + 1] - x[k]).normalized());
-    };
-    return {carried(now_.directors[0], 0), carried(now_.directors[1], n - 1)};
-}
-
-double Rod::twist_at(const std::vector<Vec3>& x) const {
-    if (!turn_) return 0;
-    const auto directors = directors_at(x);
-    const Vec3 along = along_rod(directors[0], x), axis = (x[x.size() - 1] - x[x.size() - 2]).normalized();
-    const double angle = geometry::portable_atan2(axis.dot(along.cross(directors[1])), along.dot(directors[1]));
-    // The turn that is nearest to the one before: no step turns a rod by half a turn.
-    constexpr double whole = 2 * std::numbers::pi;
-    return *turn_ + angle - whole * std::round((angle - now_.turned) / whole);
-}
-
 double Rod::unbalanced() const {
     double most = 0;
     for (std::size_t i = 0; i < now_.nodes.size(); ++i)
@@ -85,72 +53,84 @@ double Rod::unbalanced() const {
     return most;
 }
 
-// Nodes along `way`, no link turned by more than a third of a radian; half as far again and again until the energy does not rise.
-// It is looked at with links as long as the step foresees: turning stretches them to second order, which the next step takes back,
-// and so stiff are they that nothing else could be seen in the energy.
-bool Rod::go(const std::vector<Vec3>& way) {
-    constexpr double most_turn = 0.3;
-    double largest = 0, downhill = 0;
-    std::vector<double> tension(rest_.size());
+// The largest turn of a link in one step [rad].
+static constexpr double most_turn = 0.3;
+
+double Rod::largest_turn() const {
+    double largest = 0;
+    for (std::size_t k = 0; k < rest_.size(); ++k) largest = std::max((newton_[k + 1] - newton_[k]).norm() / rest_[k], largest);
+    return largest;
+}
+
+// Of links as long as the step makes them, without their turning.
+void Rod::foresee_tensions() {
+    foreseen_.resize(rest_.size());
+    for (std::size_t k = 0; k < rest_.size(); ++k)
+        foreseen_[k] = def_.axial_stiffness(rest_[k]) * ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_[k] - 1);
+}
+
+// Into trial_: nodes along the step, with links as long as it foresees: turning stretches them to second order, and so stiff are they that
+// nothing else could be seen in the energy.
+void Rod::try_share(double share) {
+    trial_.resize(now_.nodes.size());
+    lengths_.resize(rest_.size());
+    for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = now_.nodes[i] + share * newton_[i];
     for (std::size_t k = 0; k < rest_.size(); ++k) {
-        const Vec3 edge = now_.nodes[k + 1] - now_.nodes[k], by = way[k + 1] - way[k];
-        largest = std::max(by.norm() / rest_[k], largest);
-        tension[k] = def_.axial_stiffness(rest_[k]) * ((edge.norm() + edge.normalized().dot(by)) / rest_[k] - 1);
+        const double then = rest_[k] * (1 + foreseen_[k] / def_.axial_stiffness(rest_[k]));
+        lengths_[k] = links_[k].length + share * (then - links_[k].length);
     }
-    for (std::size_t i = 0; i < way.size(); ++i) downhill += way[i].dot(force_[i]);
-    if (!std::isfinite(largest)) return false;
-    const double before = energy(now_.nodes);
+    bring_to(lengths_, trial_);
+}
+
+void Rod::take_trial(double share) {
+    for (std::size_t k = 0; k < rest_.size(); ++k) now_.tension[k] += share * (foreseen_[k] - now_.tension[k]);
+    accept(trial_);
+    leads_ = false;
+}
+
+// Nodes along the Newton step, half as far again and again until the energy does not rise.
+double Rod::go() {
     constexpr int halvings = 20;
-    std::vector<Vec3> x(now_.nodes.size()), judged;
-    std::vector<double> lengths(rest_.size());
+    constexpr double noise = 1e-9;  // of sums over the rod, of which stretch is a thousandfold
+    const double largest = largest_turn();
+    if (!std::isfinite(largest)) return 0;
+    double downhill = 0;
+    for (std::size_t i = 0; i < newton_.size(); ++i) downhill += newton_[i].dot(force_[i]);
+    foresee_tensions();
     double share = std::min(1.0, most_turn / largest);
     for (int half = 0; half < halvings; ++half, share *= 0.5) {
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] = now_.nodes[i] + share * way[i];
-        for (std::size_t k = 0; k < rest_.size(); ++k) {
-            const double now = (now_.nodes[k + 1] - now_.nodes[k]).norm(), then = rest_[k] * (1 + tension[k] / def_.axial_stiffness(rest_[k]));
-            lengths[k] = now + share * (then - now);
-        }
-        constexpr double noise = 1e-9;  // of sums over the rod, of which stretch is a thousandfold
-        if (share * downhill > noise * std::abs(before)) {
-            judged = x;
-            bring_to(lengths, judged);
-            if (!(energy(judged) <= before)) continue;
-        }
-        for (std::size_t k = 0; k < rest_.size(); ++k) now_.tension[k] += share * (tension[k] - now_.tension[k]);
-        accept(x);
-        return true;
+        try_share(share);
+        if (!leads_ && share * downhill > noise * std::abs(energy_) && !(energy(trial_, tried_) <= energy_)) continue;
+        take_trial(share);
+        return share;
     }
-    return false;
+    return 0;
 }
 
 // Moves nodes as little as possible until links have these lengths: Newton's method on all of them together, two rounds, of which
 // each squares the error.
 void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
     const std::size_t n = lengths.size();
-    std::vector<Vec3> along(n);
-    std::vector<double> pivot(n), upper(n), push(n);
+    for (auto* of_links : {&pivot_, &upper_, &shorten_}) of_links->resize(n);
     const auto gives = [&](std::size_t i) { return held_[i] ? 0.0 : 1.0; };
     for (int round = 0; round < 2; ++round) {
+        measure(x, tried_);
         for (std::size_t k = 0; k < n; ++k) {
-            const Vec3 edge = x[k + 1] - x[k];
-            const double length = edge.norm();
-            along[k] = edge / length;
-            push[k] = length - lengths[k];
-            pivot[k] = gives(k) + gives(k + 1);
-            if (pivot[k] == 0) pivot[k] = 1, push[k] = 0;  // between two held nodes
-            if (k > 0) upper[k - 1] = -gives(k) * along[k - 1].dot(along[k]);
-        }
-        for (std::size_t k = 1; k < n; ++k) {
-            const double factor = upper[k - 1] / pivot[k - 1];
-            pivot[k] -= factor * upper[k - 1], push[k] -= factor * push[k - 1];
+            shorten_[k] = tried_[k].length - lengths[k];
+            pivot_[k] = gives(k) + gives(k + 1);
+            if (pivot_[k] == 0) pivot_[k] = 1, shorten_[k] = 0;  // between two held nodes
+            if (k == 0) continue;
+            upper_[k - 1] = -gives(k) * tried_[k - 1].along.dot(tried_[k].along);
+            const double factor = upper_[k - 1] / pivot_[k - 1];
+            pivot_[k] -= factor * upper_[k - 1], shorten_[k] -= factor * shorten_[k - 1];
             // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a millionth of
             // the others, which are about one; what then moves too far no energy accepts.
-            pivot[k] = std::max(pivot[k], 1e-6);
+            pivot_[k] = std::max(pivot_[k], 1e-6);
         }
-        for (std::size_t k = n; k-- > 0;) push[k] = (push[k] - (k + 1 < n ? upper[k] * push[k + 1] : 0)) / pivot[k];
+        for (std::size_t k = n; k-- > 0;) shorten_[k] = (shorten_[k] - (k + 1 < n ? upper_[k] * shorten_[k + 1] : 0)) / pivot_[k];
         for (std::size_t k = 0; k < n; ++k) {
-            x[k] += gives(k) * push[k] * along[k];
-            x[k + 1] -= gives(k + 1) * push[k] * along[k];
+            x[k] += gives(k) * shorten_[k] * tried_[k].along;
+            x[k + 1] -= gives(k + 1) * shorten_[k] * tried_[k].along;
         }
     }
 }
@@ -201,7 +181,9 @@ void Rod::spread_between_held(std::vector<Vec3>& x) const {
 }
 
 // A step too large for Newton's method is taken in halves, those in halves again: what it left is no place to go on from.
-RodReport Rod::step(const RodInput& input, double seconds, int most) { return step_in_parts(input, seconds, most, 4); }
+RodReport Rod::step(const RodInput& input, double seconds, int most) {
+    return step_in_parts(input, seconds, most, 4);
+}
 
 RodReport Rod::step_in_parts(const RodInput& input, double seconds, int most, int halvings) {
     const Moving before = now_;
@@ -225,48 +207,105 @@ RodReport Rod::step_in_parts(const RodInput& input, double seconds, int most, in
 }
 
 RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
-    const std::vector<Vec3> start = now_.nodes;
+    begin(input, seconds);
+    trial_ = now_.nodes;
+    for (const Hold& hold : input.holds) trial_[static_cast<std::size_t>(hold.node)] = hold.target;
+    spread_between_held(trial_);
+    accept(trial_);
+    find_touches(input.bodies);
+    touching_.clear();
+    leads_ = false;
+    RodReport report;
+    while (!is_settled(report) && report.iterations < most && improve()) ++report.iterations;
+    settle_touches();
+    end();
+    return report;
+}
+
+void Rod::begin(const RodInput& input, double seconds) {
+    start_ = aim_ = now_.nodes;
+    seconds_ = seconds;
     inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
     turn_ = input.turn;
     held_.assign(now_.nodes.size(), 0);
-    loads_.assign(now_.nodes.size(), Vec3::Zero());
-    aim_ = now_.nodes;
-    std::vector<Vec3> x = now_.nodes;
+    for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
+    loads_.resize(now_.nodes.size());
+    double extent = twisted_length_;
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
-        loads_[i] = mass_[i] * def_.gravity + (input.loads.empty() ? Vec3::Zero().eval() : input.loads[i]);
+        loads_[i] = mass_[i] * def_.gravity;
+        if (!input.loads.empty()) loads_[i] += input.loads[i];
         aim_[i] += seconds * now_.velocity[i];
+        extent = std::max(extent, now_.nodes[i].cwiseAbs().maxCoeff());
     }
-    for (const Hold& hold : input.holds) {
-        held_[static_cast<std::size_t>(hold.node)] = 1;
-        x[static_cast<std::size_t>(hold.node)] = hold.target;
+    tolerance_ = input.tolerance.value_or(1e-14 * stiffest_ * extent);
+}
+
+void Rod::lead(std::span<const Hold> targets) {
+    leads_ = !targets.empty();
+    due_.assign(now_.nodes.size(), Vec3::Zero());
+    for (const Hold& hold : targets) due_[static_cast<std::size_t>(hold.node)] = hold.target - now_.nodes[static_cast<std::size_t>(hold.node)];
+}
+
+bool Rod::is_settled(RodReport& report) {
+    assemble(Keep::whole);
+    report.residual = unbalanced();
+    if (report.residual <= tolerance_ && !foresaw_tensions()) assemble(Keep::whole);
+    report.stable = factor() == Keep::whole;
+    return report.settled = report.residual <= tolerance_ && report.stable;
+}
+
+double Rod::improve() {
+    find_newton_step();
+    return go();
+}
+
+// Nothing of how forces turn with the nodes but what stiffens: pressed by others a rod balances in many shapes in which it alone would
+// not.
+void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const int> touching) {
+    lead(targets);
+    touching_.assign(touching.begin(), touching.end());
+    assemble(Keep::positive, pairs);
+    matrix_.factor();
+    find_newton_step();
+}
+
+void Rod::add_forces(const std::vector<Vec3>& forces) {
+    spread_ = forces;
+    for (std::size_t i = 0; i < spread_.size(); ++i)
+        if (held_[i]) spread_[i].setZero();
+    matrix_.solve(spread_);
+    for (std::size_t i = 0; i < spread_.size(); ++i) newton_[i] += spread_[i];
+}
+
+double Rod::go_by(double share, std::span<const Vec3> from, std::span<const double> bound) {
+    const double largest = largest_turn();
+    if (!std::isfinite(largest)) return 0;
+    share = std::min(share, most_turn / largest);
+    foresee_tensions();
+    const auto is_within = [&] {
+        for (std::size_t i = 0; i < trial_.size(); ++i)
+            if ((trial_[i] - from[i]).squaredNorm() > bound[i] * bound[i]) return false;
+        return true;
+    };
+    constexpr int halvings = 6;
+    for (int half = 0; half < halvings; ++half, share *= 0.5) {
+        try_share(share);
+        if (!is_within()) continue;
+        take_trial(share);
+        return share;
     }
-    double extent = 0;
-    for (const Vec3& p : now_.nodes) extent = std::max(extent, p.cwiseAbs().maxCoeff());
-    spread_between_held(x);
-    accept(x);
-    find_touches(input.bodies);
-    RodReport report;
-    const double tolerance = input.tolerance.value_or(1e-14 * stiffest_ * std::max(extent, twisted_length_));
-    for (;; ++report.iterations) {
-        assemble(Stiffness::whole);
-        report.residual = unbalanced();
-        if (report.residual <= tolerance && !foresaw_tensions()) assemble(Stiffness::whole);
-        report.stable = factor() == Stiffness::whole;
-        report.settled = report.residual <= tolerance && report.stable;
-        if (report.settled || report.iterations == most || !go(newton_step())) break;
-    }
-    settle_touches();
-    if (seconds > 0)
-        for (std::size_t i = 0; i < now_.nodes.size(); ++i) now_.velocity[i] = (now_.nodes[i] - start[i]) / seconds;
-    return report;
+    return 0;
+}
+
+void Rod::end() {
+    if (seconds_ > 0)
+        for (std::size_t i = 0; i < now_.nodes.size(); ++i) now_.velocity[i] = (now_.nodes[i] - start_[i]) / seconds_;
 }
 
 double Rod::tension(int link) const {
     const auto k = static_cast<std::size_t>(link);
     return def_.axial_stiffness(rest_[k]) * ((now_.nodes[k + 1] - now_.nodes[k]).norm() / rest_[k] - 1);
 }
-
-double Rod::twist_moment() const { return def_.twisting_stiffness() / twisted_length_ * now_.twist; }
 
 Vec3 Rod::hold_force(int node) const { return -force_[static_cast<std::size_t>(node)]; }
 

@@ -1,43 +1,35 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/geometry/vec.hpp"
-#include "sim/thread/band.hpp"
+#include "sim/thread/chain_matrix.hpp"
+#include "sim/thread/rod_def.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace sim::thread {
-
-/// What an elastic thread is made of. SI.
-struct RodDef {
-    double radius = 0.0425e-3;       ///< [m]
-    double young = 2.8e9;            ///< Young's modulus [Pa].
-    double poisson = 0.5;            ///< Poisson's ratio, of the twist alone.
-    double friction = 0.15;          ///< Coulomb, against bodies.
-    double density = 905;            ///< [kg/m^3]; 0: without inertia, every step ends in equilibrium.
-    /// Axial stiffness of a link over its bending stiffness, EA h^2 / B: practically inextensible. 0: that of the material, which
-    /// is 4 (h / radius)^2 and stretches a suture by a twentieth at a newton.
-    double axial_over_bending = 1e4;
-    Vec3 gravity = Vec3::Zero();     ///< [m/s^2]
-
-    double bending_stiffness() const;   ///< B = E I [N m^2].
-    double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
-    double axial_stiffness(double link) const;  ///< [N], of links of this length.
-    double mass_per_length() const;     ///< [kg/m]
-};
 
 /// What acts on a rod during one step.
 struct RodInput {
     std::span<const Hold> holds;             ///< Nodes that go where they are put.
     std::span<const Vec3> loads = {};        ///< Force on each node [N], or none.
-    std::span<const MovingCapsule> bodies = {};  ///< What nodes rest on and slide over, the same ones in every step.
+    std::span<const MovingCapsule> bodies = {};  ///< What nodes rest on and slide over, the same ones in every step; in step() alone.
     /// How far the cross-section of the last link has been turned against that of the first about the rod, beyond what they
     /// were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
     std::optional<double> turn = {};
     /// Force that may stay unbalanced at a node [N]; nothing: fifty times what the rounding of its place does to the stiffest link.
     std::optional<double> tolerance = {};
+};
+
+/// A force between two points of the rod, or on a point of it.
+struct Pair {
+    std::array<int, 4> node{};          ///< Its points lie apart by the sum of weight * node, and what is not the rod's.
+    std::array<double, 4> weight{};
+    int nodes = 0;
+    Vec3 force = Vec3::Zero();          ///< On what has positive weight [N].
 };
 
 /// What a step came to.
@@ -51,19 +43,36 @@ struct RodReport {
 /// A bending, twisting, practically inextensible rod: discrete elastic rods (Bergou, Wardetzky, Robinson, Audoly and Grinspun 2008)
 /// of round cross-section, straight and untwisted when unloaded. Twist spreads evenly at once, as it does in so thin a rod
 /// (their section 5), so that nodes alone are unknown. One step of implicit Euler, by Newton's method on its energy with a direct
-/// banded solve: stable at any step and any stiffness. Cost: O(n) an iteration.
+/// solve (ChainMatrix): stable at any step and any stiffness. Cost: O(n) an iteration, and O(m^3) for m nodes that touch.
 class Rod {
   public:
     /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
     Rod(const RodDef& def, std::vector<Vec3> nodes);
 
-    /// Everything in `input` must be finite and nodes exist; the caller sees to that. Allocates.
+    /// Everything in `input` must be finite and nodes exist; the caller sees to that.
     /// One step of `seconds`, or with density 0 or no time to the equilibrium, in at most `most` iterations; with none it only says
     /// whether the rod is in one, and a stable one.
     RodReport step(const RodInput& input, double seconds, int most = 20);
 
+    /// The same in stages, for who knows what the rod touches. `input.holds` say which nodes are held.
+    void begin(const RodInput& input, double seconds);
+    /// The step to where it and these forces balance to first order, with held nodes going to `targets`. `touching`: nodes whose
+    /// answers to forces are asked for, increasing and each beside another one.
+    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const int> touching);
+    /// Its touching_inverse() is what a unit force on touching nodes moves them by [m/N].
+    ChainMatrix& matrix() { return matrix_; }
+    /// The step so far [m].
+    std::span<const Vec3> step_found() const { return newton_; }
+    /// Adds what these forces on all nodes [N] change about the step.
+    void add_forces(const std::vector<Vec3>& forces);
+    /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within `bound` of
+    /// where it is in `from`; returns what it made.
+    double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
+    void end();
+
     const RodDef& def() const { return def_; }
     std::span<const Vec3> nodes() const { return now_.nodes; }
+    std::span<const Vec3> velocity() const { return now_.velocity; }  ///< [m/s]
     std::span<const double> rest_lengths() const { return rest_; }
     double tension(int link) const;        ///< [N], negative where it is pushed together.
     double twist_moment() const;           ///< [N m], the same all along.
@@ -80,6 +89,18 @@ class Rod {
     std::span<const Touch> touches() const { return now_.touches; }
 
   private:
+    /// All of it, or what is positive of it whatever the shape: without how forces turn with the nodes.
+    enum class Keep { whole, positive };
+    struct Link {
+        Vec3 along;       // unit tangent
+        double length;    // [m]
+        // Of the energy: its derivative by this link's vector, and its second derivative own I + aside along^T + along aside^T.
+        Vec3 pull, aside;
+        double own;
+    };
+    static void measure(const std::vector<Vec3>& x, std::vector<Link>& links);
+    double energy_of(const std::vector<Link>& links) const;
+
     Vec3 from_axis(const Touch& touch, const Vec3& x) const;
     /// Of a touch with its node at x: what it pushes with [N] and where to, and how far it slipped from its anchor [m].
     struct Pressed {
@@ -94,20 +115,28 @@ class Rod {
     std::array<Vec3, 2> directors_at(const std::vector<Vec3>& x) const;
     Vec3 along_rod(Vec3 across, const std::vector<Vec3>& x) const;
     double twist_at(const std::vector<Vec3>& x) const;
-    double energy(const std::vector<Vec3>& x) const;
-    /// All of it, or what is positive of it whatever the shape: without how forces turn with the nodes.
-    enum class Stiffness { whole, positive };
-    void assemble(Stiffness stiffness);
-    void add_stretch(Stiffness stiffness);
-    void add_bending(Stiffness stiffness);
+    double energy(const std::vector<Vec3>& x, std::vector<Link>& links);
+    void assemble(Keep keep, std::span<const Pair> pairs = {});
+    void add_stretch(Keep keep);
+    void add_bending(Keep keep);
+    ChainMatrix::Block cross(std::size_t link) const;
+    void spread_to_nodes();
     void add_twist();
     void find_twist_gradient();
-    Stiffness factor();
-    std::vector<Vec3> newton_step();
-    void spread_between_held(std::vector<Vec3>& x) const;
+    void add_pairs(std::span<const Pair> pairs);
+    Keep factor();
+    void find_newton_step();
     double unbalanced() const;
     bool foresaw_tensions();
-    bool go(const std::vector<Vec3>& way);
+    void lead(std::span<const Hold> targets);
+    bool is_settled(RodReport& report);
+    double improve();
+    void spread_between_held(std::vector<Vec3>& x) const;
+    double largest_turn() const;
+    void foresee_tensions();
+    void try_share(double share);
+    void take_trial(double share);
+    double go();
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);
 
@@ -130,12 +159,17 @@ class Rod {
     } now_;
 
     // Of the step that is being made.
-    std::vector<Vec3> aim_, loads_, force_, gradient_;
+    std::vector<Vec3> start_, due_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;
+    bool leads_ = false;                   // held nodes are due to go somewhere
     double inertia_ = 0;                   // [1/s^2]
     std::vector<MovingCapsule> bodies_;
-    Band band_, whole_;
+    double seconds_ = 0, tolerance_ = 0, energy_ = 0;
+    std::vector<Link> links_, tried_;
+    std::vector<int> touching_;
+    std::vector<double> foreseen_, lengths_, pivot_, upper_, shorten_;
+    ChainMatrix matrix_;
 };
 
 }  // namespace sim::thread

@@ -5,7 +5,7 @@
 
 namespace sim::thread {
 
-using Block = Band::Block;
+using Block = ChainMatrix::Block;
 
 Vec3 Rod::from_axis(const Touch& touch, const Vec3& x) const {
     const Capsule& c = bodies_[static_cast<std::size_t>(touch.body)].to;
@@ -46,14 +46,14 @@ void Rod::add_contact() {
         const Block across = Block::Identity() - normal * normal.transpose();
         force_[i] += push * normal;
         // Where the body curves away from under the node the push turns with it; that would make the matrix not positive.
-        band_.at(i, i) += stiff_ * normal * normal.transpose();
+        matrix_.add(i, i, stiff_ * normal * normal.transpose());
         if (stiff_ * slip.norm() <= touch.limit) {
             force_[i] -= stiff_ * slip;
-            band_.at(i, i) += stiff_ * across;
+            matrix_.add(i, i, stiff_ * across);
         } else {
             const Vec3 along = slip.normalized();
             force_[i] -= touch.limit * along;
-            band_.at(i, i) += touch.limit / slip.norm() * (across - along * along.transpose());
+            matrix_.add(i, i, touch.limit / slip.norm() * (across - along * along.transpose()));
         }
     }
 }

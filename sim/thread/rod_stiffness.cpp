@@ -1,129 +1,171 @@
 #include <algorithm>
+#include <cmath>
 
-#include "sim/thread/bend.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace sim::thread {
 
-using Block = Band::Block;
+using Block = ChainMatrix::Block;
 
-double Rod::energy(const std::vector<Vec3>& x) const {
+// What a bend at a node between links a and b is worth: B over the thread between their middles, for half the square of the
+// difference of their tangents. That is twice the sine of half their angle, which makes the curvature that of the circle through
+// three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error.
+static double bend_stiffness(const RodDef& def, double a, double b) { return 2 * def.bending_stiffness() / (a + b); }
+
+void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
+    links.resize(x.size() - 1);
+    for (std::size_t k = 0; k < links.size(); ++k) {
+        const Vec3 edge = x[k + 1] - x[k];
+        links[k].length = edge.norm();
+        links[k].along = edge / links[k].length;
+    }
+}
+
+double Rod::energy_of(const std::vector<Link>& links) const {
     double sum = 0;
-    const double bending = def_.bending_stiffness();
     for (std::size_t k = 0; k < rest_.size(); ++k) {
-        const double strain = (x[k + 1] - x[k]).norm() / rest_[k] - 1;
+        const double strain = links[k].length / rest_[k] - 1;
         sum += 0.5 * def_.axial_stiffness(rest_[k]) * rest_[k] * strain * strain;
+        if (k > 0) sum += 0.5 * bend_stiffness(def_, rest_[k - 1], rest_[k]) * (links[k].along - links[k - 1].along).squaredNorm();
     }
-    for (std::size_t i = 1; i + 1 < x.size(); ++i) {
-        const Bend bend(x[i] - x[i - 1], x[i + 1] - x[i]);
-        sum += bending * bend.difference.squaredNorm() / (rest_[i - 1] + rest_[i]);
-    }
+    return sum;
+}
+
+double Rod::energy(const std::vector<Vec3>& x, std::vector<Link>& links) {
+    measure(x, links);
+    double sum = energy_of(links) + contact_energy(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
         sum -= loads_[i].dot(x[i]);
         if (inertia_ > 0) sum += 0.5 * inertia_ * mass_[i] * (x[i] - aim_[i]).squaredNorm();
     }
     const double twist = twist_at(x);
-    return sum + contact_energy(x) + 0.5 * def_.twisting_stiffness() / twisted_length_ * twist * twist;
+    return sum + 0.5 * def_.twisting_stiffness() / twisted_length_ * twist * twist;
 }
 
-void Rod::add_stretch(Stiffness stiffness) {
+void Rod::add_stretch(Keep keep) {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
-        const Vec3 edge = now_.nodes[k + 1] - now_.nodes[k];
-        const double length = edge.norm(), axial = def_.axial_stiffness(rest_[k]), pull = axial * (length / rest_[k] - 1);
-        const Vec3 t = edge / length;
-        force_[k] += pull * t, force_[k + 1] -= pull * t;
+        Link& link = links_[k];
+        const double axial = def_.axial_stiffness(rest_[k]);
         // A link that is pushed together would fall aside.
-        const double across = (stiffness == Stiffness::whole ? now_.tension[k] : std::max(0.0, now_.tension[k])) / length;
-        const Block block = (axial / rest_[k] - across) * t * t.transpose() + across * Block::Identity();
-        band_.at(k, k) += block, band_.at(k + 1, k + 1) += block, band_.at(k, k + 1) -= block;
+        const double across = (keep == Keep::whole ? now_.tension[k] : std::max(0.0, now_.tension[k])) / link.length;
+        link.pull = axial * (link.length / rest_[k] - 1) * link.along;
+        link.own = across;
+        link.aside = 0.5 * (axial / rest_[k] - across) * link.along;
     }
 }
 
-void Rod::add_bending(Stiffness stiffness) {
-    for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {
-        const Bend bend(now_.nodes[i] - now_.nodes[i - 1], now_.nodes[i + 1] - now_.nodes[i]);
-        const double bending = 2 * def_.bending_stiffness() / (rest_[i - 1] + rest_[i]);
-        const Vec3 first = bending * bend.by_first(), last = bending * bend.by_last();
-        force_[i - 1] -= first, force_[i] += first + last, force_[i + 1] -= last;
-        auto [a, b, both] = bend.second(stiffness == Stiffness::whole);
-        a *= bending, b *= bending, both *= bending;
-        band_.at(i - 1, i - 1) += a, band_.at(i, i) += a + b + both + both.transpose(), band_.at(i + 1, i + 1) += b;
-        band_.at(i - 1, i) -= a + both, band_.at(i, i + 1) -= b + both, band_.at(i - 1, i + 1) += both;
+void Rod::add_bending(Keep keep) {
+    for (std::size_t k = 0; k + 1 < rest_.size(); ++k) {
+        Link &a = links_[k], &b = links_[k + 1];
+        const double stiffness = bend_stiffness(def_, rest_[k], rest_[k + 1]), c = a.along.dot(b.along);
+        const Vec3 b_off_a = b.along - c * a.along, a_off_b = a.along - c * b.along;
+        a.pull -= stiffness / a.length * b_off_a, b.pull -= stiffness / b.length * a_off_b;
+        const auto add = [&](Link& link, const Vec3& off) {
+            const double s = stiffness / (link.length * link.length), across = keep == Keep::whole ? s * c : s;
+            link.own += across;
+            link.aside -= 0.5 * across * link.along;
+            if (keep == Keep::whole) link.aside += s * off;
+        };
+        add(a, b_off_a), add(b, a_off_b);
     }
 }
 
-void Rod::add_twist() {
-    for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {
-        const auto second = Bend(now_.nodes[i] - now_.nodes[i - 1], now_.nodes[i + 1] - now_.nodes[i]).turn_by_nodes();
-        for (std::size_t r = 0; r < 3; ++r)
-            for (std::size_t c = r; c < 3; ++c) band_.at(i - 1 + r, i - 1 + c) += twist_moment() * second[r][c];
+// Second derivative of the bend between a link and the next by their vectors.
+Block Rod::cross(std::size_t link) const {
+    const Link &a = links_[link], &b = links_[link + 1];
+    const double s = -bend_stiffness(def_, rest_[link], rest_[link + 1]) / (a.length * b.length), c = a.along.dot(b.along);
+    const Vec3 of_a = -s * (a.along - c * b.along), of_b = -s * b.along;
+    Block block = a.along * of_a.transpose() + b.along * of_b.transpose();
+    block.diagonal().array() += s;
+    return block;
+}
+
+static void put(double* column, const Block& own, const Block& next, const Block& second) {
+    for (Eigen::Index c = 0; c < 3; ++c, column += ChainMatrix::stride) {
+        for (Eigen::Index r = c; r < 3; ++r) column[r - c] = own(r, c);
+        for (Eigen::Index r = 0; r < 3; ++r) column[3 - c + r] = next(c, r), column[6 - c + r] = second(c, r);
     }
 }
 
-// How the writhe, and so the twist, changes with the nodes (Bergou et al. 2010, eq. 10).
-void Rod::find_twist_gradient() {
-    gradient_.assign(now_.nodes.size(), Vec3::Zero());
-    for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {
-        const Bend bend(now_.nodes[i] - now_.nodes[i - 1], now_.nodes[i + 1] - now_.nodes[i]);
-        const Vec3 before = -0.5 / bend.la * bend.binormal(), after = 0.5 / bend.lb * bend.binormal();
-        gradient_[i - 1] += before, gradient_[i] -= before + after, gradient_[i + 1] += after;
-    }
-}
-
-void Rod::assemble(Stiffness stiffness) {
-    force_ = loads_;
-    band_.clear(now_.nodes.size());
-    add_stretch(stiffness);
-    add_bending(stiffness);
-    add_contact();
-    if (inertia_ > 0)
-        for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
-            force_[i] -= inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
-            band_.at(i, i) += inertia_ * mass_[i] * Block::Identity();
+// From the links' vectors to the nodes that they lie between.
+void Rod::spread_to_nodes() {
+    const std::size_t n = rest_.size();
+    Block own_before = Block::Zero(), cross_before = Block::Zero();
+    for (std::size_t i = 0; i <= n; ++i) {
+        Block own = Block::Zero(), crossing = Block::Zero();
+        if (i < n) {
+            const Link& link = links_[i];
+            own = link.aside * link.along.transpose() + link.along * link.aside.transpose();
+            own.diagonal().array() += link.own;
+            force_[i] += link.pull, force_[i + 1] -= link.pull;
         }
+        if (i + 1 < n) crossing = cross(i);
+        Block at_node = own_before + own - cross_before - cross_before.transpose();
+        at_node.diagonal().array() += softest_ + inertia_ * mass_[i];
+        put(matrix_.column(3 * i), at_node, cross_before - own + crossing, -crossing);
+        own_before = own, cross_before = crossing;
+    }
+}
+
+// Each shared among the nodes of its points.
+void Rod::add_pairs(std::span<const Pair> pairs) {
+    for (const Pair& pair : pairs)
+        for (std::size_t k = 0; k < static_cast<std::size_t>(pair.nodes); ++k) force_[static_cast<std::size_t>(pair.node[k])] += pair.weight[k] * pair.force;
+}
+
+void Rod::assemble(Keep keep, std::span<const Pair> pairs) {
+    matrix_.clear(now_.nodes.size(), touching_);
+    measure(now_.nodes, links_);
+    for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
+    add_stretch(keep);
+    add_bending(keep);
+    spread_to_nodes();
+    add_contact();
+    add_pairs(pairs);
+    energy_ = energy(now_.nodes, links_);  // what is dragged with is known now
     if (turn_) {
-        if (stiffness == Stiffness::whole) add_twist();
+        if (keep == Keep::whole) add_twist();
         find_twist_gradient();
         for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] -= twist_moment() * gradient_[i];
     }
+    if (leads_) answer_.assign(now_.nodes.size(), Vec3::Zero());
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
-        band_.at(i, i) += softest_ * Block::Identity();
         if (!held_[i]) continue;
-        band_.fix(i);
+        if (leads_) matrix_.lead(i, due_[i], answer_);
+        matrix_.fix(i);
         if (turn_) gradient_[i].setZero();
     }
 }
 
 // Where the whole stiffness is not positive, as on the way past a buckling, as little as will do is added to all of its diagonal
 // (Levenberg), at last nothing but Gauss and Newton's part is kept.
-Rod::Stiffness Rod::factor() {
-    whole_ = band_;
+Rod::Keep Rod::factor() {
     constexpr double least = 1e4, most = 1e9;  // of what is added anyway: a hundred-thousandth of a bend's stiffness to all of it
-    if (band_.factor()) return Stiffness::whole;
-    for (double more = least; more <= most; more *= 10) {
-        band_ = whole_;
-        for (std::size_t i = 0; i < now_.nodes.size(); ++i) band_.at(i, i) += more * softest_ * Block::Identity();
-        if (band_.factor()) return Stiffness::positive;
-    }
-    assemble(Stiffness::positive);
-    band_.factor();  // of what is not finite nothing comes, and go() sees that
-    return Stiffness::positive;
+    if (matrix_.factor()) return Keep::whole;
+    for (double more = least; more <= most; more *= 10)
+        if (matrix_.factor(more * softest_)) return Keep::positive;
+    assemble(Keep::positive);
+    matrix_.factor();  // of what is not finite nothing comes, and go() sees that
+    return Keep::positive;
 }
 
 // Twist is one number for all nodes, so it adds a matrix of rank one (Sherman and Morrison).
-std::vector<Vec3> Rod::newton_step() {
-    std::vector<Vec3> x = force_;
-    for (std::size_t i = 0; i < x.size(); ++i)
-        if (held_[i]) x[i].setZero();
-    band_.solve(x);
-    if (!turn_) return x;
-    std::vector<Vec3> spread = gradient_;
-    band_.solve(spread);
+void Rod::find_newton_step() {
+    newton_ = force_;
+    if (leads_)
+        for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] += answer_[i];
+    for (std::size_t i = 0; i < newton_.size(); ++i)
+        if (held_[i]) newton_[i] = leads_ ? due_[i] : Vec3::Zero();
+    matrix_.solve(newton_);
+    for (std::size_t i = 0; i < newton_.size(); ++i)
+        if (held_[i]) newton_[i] = leads_ ? due_[i] : Vec3::Zero();  // whatever was added to the diagonal
+    if (!turn_) return;
+    spread_ = gradient_;
+    matrix_.solve(spread_);
     double through = 0, own = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) through += gradient_[i].dot(x[i]), own += gradient_[i].dot(spread[i]);
+    for (std::size_t i = 0; i < newton_.size(); ++i) through += gradient_[i].dot(newton_[i]), own += gradient_[i].dot(spread_[i]);
     const double twisting = def_.twisting_stiffness() / twisted_length_, share = twisting * through / (1 + twisting * own);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= share * spread[i];
-    return x;
+    for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] -= share * spread_[i];
 }
 
 }  // namespace sim::thread

@@ -6,6 +6,7 @@
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/triangle_tree.hpp"
 #include "sim/thread/link_tree.hpp"
+#include "sim/thread/rod.hpp"
 #include "sim/thread/thread.hpp"
 
 // What the stages of a tick share. Private to sim/thread.
@@ -56,6 +57,18 @@ struct PushedRow {
     Vec3 apart = Vec3::Zero();          ///< Before all pushes.
     Eigen::Matrix3d own = {};           ///< How its points give way to pushes on themselves,
     double mobility = 0, least = 0;     ///< along the normal, and by how little at least.
+};
+
+/// A contact of an elastic thread during one step.
+struct Press {
+    Row* row;
+    Pair pair;                      ///< Where it acts, and its push as the step began.
+    Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
+    Vec3 push = Vec3::Zero();           ///< [N] on the link, drag and all,
+    Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< as a sweep began, and where sweeps lead.
+    Vec3 across = Vec3::Zero();         ///< How its points give way to its own push across [m/N],
+    double gives = 0;                   ///< and across alone;
+    Eigen::Matrix3d along = {};         ///< the push along that undoes a slip [N/m].
 };
 
 /// How far one dares to go, for tools that move together.
@@ -142,6 +155,15 @@ struct State {
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
 
+    std::optional<Rod> rod;            ///< Of an elastic thread.
+    std::vector<int> touching;         ///< Scratch of it,
+    std::vector<Press> presses;
+    std::vector<Pair> pairs;
+    std::vector<Vec3> forces;
+    Eigen::VectorXd apart;             ///< Of the points of all presses, from the other's to the link's, as the step has it [m].
+    Table press_moves, press_responses;
+    std::vector<Row> pressed;          ///< What pressed when its last step ended; pushes in newtons.
+
     LinkTree tree;
     std::vector<int> found;            ///< Scratch.
     std::vector<Vec3> unit;            ///< Scratch of the length solve.
@@ -198,6 +220,11 @@ Substep attempt(State& state, double way, Answer answer, Effort effort);
 void place_capsules(State& state);
 /// Of any capsule's end, since capsules_before [m].
 double largest_capsule_move(const State& state);
+TickReport elastic_tick(State& state, const TickInput& input);
+/// Rows that press, or may come to in this step, `presses`, `pairs` and `touching` (press.cpp).
+void find_presses(State& state);
+/// The pushes of all together with the rod, whose step with the pushes as they were is known; returns how many sweeps that took.
+int solve_presses(State& state);
 /// Held nodes to where they are asked to be at `progress` (follow_leader.cpp).
 void place_held(State& state);
 /// Taut spans between held nodes go along with what the ways of both ends have in common.

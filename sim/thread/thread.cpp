@@ -48,6 +48,9 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     touched.reserve(8 * most_coupled);
     inverse.reserve(8 * most_coupled);
     size_for_links();
+    if (!def.elastic) return;
+    def.elastic->radius = def.radius;
+    rod.emplace(*def.elastic, nodes);
 }
 
 void State::size_for_links() {
@@ -112,6 +115,14 @@ std::uint64_t Thread::hash() const {
             for (int c = 0; c < 3; ++c) add(way[c]);
     }
     add(impl_->state.settled);
+    if (impl_->state.rod) {
+        for (const Vec3& v : impl_->state.rod->velocity())
+            for (int c = 0; c < 3; ++c) add(v[c]);
+        for (const Row& row : impl_->state.pressed) {
+            add(row.normal_push);
+            for (int c = 0; c < 3; ++c) add(row.tangent_push[c]);
+        }
+    }
     const Unfinished& unfinished = impl_->state.unfinished;
     add(unfinished.pace);
     if (unfinished.pace < 0) return hash;

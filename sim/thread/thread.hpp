@@ -1,9 +1,11 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/geometry/shapes.hpp"
+#include "sim/thread/rod_def.hpp"
 
 namespace sim::geometry {
 class TriangleTree;
@@ -22,6 +24,7 @@ struct ThreadDef {
     double axial_stiffness = 15.9;    ///< Young's modulus times cross-section [N]; scales the tension estimate only.
     double shortest_link = 0;         ///< [m]: where the thread bends or touches itself links are halved until they are as short,
                                       ///< to within the root of two, and joined again where it is straight; 0: they stay as they are.
+    std::optional<RodDef> elastic = {};  ///< Moves as this, of `radius`; else by Follow-The-Leader.
 };
 
 /// A node held by somebody, and where it should be at the end of the tick.
@@ -43,6 +46,8 @@ struct TickInput {
     std::span<const int> hold_owners;             ///< One per hold: the owner of capsules that hold it, or -1.
     std::span<const MovingCapsule> capsules;
     const geometry::TriangleTree* surface = nullptr;  ///< Static triangles, or none.
+    double seconds = 1e-3;                            ///< How long it takes; elastic only, as are
+    std::span<const Vec3> loads = {};                 ///< forces on nodes [N], one each or none.
 };
 
 /// What a tick did and what it gave up.
@@ -53,6 +58,8 @@ struct TickReport {
     double separation_min = 1e300;  ///< Smallest centre-line distance of non-neighbour links / diameter after the tick.
     double step_over_bound = 0;     ///< Largest move of a node in a substep over its bound; at most 1.
     int pass_throughs = 0;          ///< Found by the audit, in any substep, through thread, capsules or surface.
+    int iterations = 0;             ///< Newton steps, elastic only,
+    double residual = 0;            ///< and the largest force at a node that they left unbalanced [N].
     bool not_finite = false;        ///< Input was not finite; the tick was not taken.
 };
 
@@ -70,7 +77,8 @@ class Thread {
 
     /// Between ticks: links where they are needed, by ThreadDef::shortest_link. None is longer than the longest was at first. The
     /// curve stays where it is to within a tenth of the radius, and what passes through what. `held`: nodes that somebody holds;
-    /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n).
+    /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n). An elastic thread's stay
+    /// as they are.
     bool fit_links(std::span<int> held);
 
     const ThreadDef& def() const;

@@ -260,6 +260,7 @@ TickReport tick(State& state, const TickInput& input) {
         return report;
     }
     begin(state, input);
+    if (state.rod) return elastic_tick(state, input);
     // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls. But
     // what is unfinished is finished first.
     const std::size_t groups = state.progress.size();

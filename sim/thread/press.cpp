@@ -1,0 +1,180 @@
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/thread/state.hpp"
+
+// What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it, against how the
+// points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
+namespace sim::thread {
+
+using Mat3 = Eigen::Matrix3d;
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+static Eigen::Index axes(std::size_t i) { return static_cast<Eigen::Index>(3 * i); }
+
+static void add_node(const State& state, Pair& pair, int node, double weight) {
+    if (weight == 0 || state.inverse_mass[at(node)] == 0) return;
+    pair.node[at(pair.nodes)] = node;
+    pair.weight[at(pair.nodes++)] = weight;
+}
+
+static const Row* pressed_before(const State& state, const Row& row) {
+    const auto known = std::find_if(state.pressed.begin(), state.pressed.end(),
+        [&](const Row& k) { return k.against == row.against && k.link == row.link && k.other == row.other; });
+    return known == state.pressed.end() ? nullptr : &*known;
+}
+
+static double contact_stiffness(const State& state) { return state.rod->def().contact_stiffness(state.rest[0]); }
+
+static void add_press(State& state, Row& row) {
+    const Row* const before = pressed_before(state, row);
+    const double near = 0.1 * 2 * state.def.radius;  // no step takes strands that far into each other before they are seen
+    if (!before && row.distance > row.target + near) return;
+    Press press{&row, {}};
+    const Vec3 across = row.start - row.start.dot(row.normal) * row.normal;
+    press.rest = row.target * row.normal + across;
+    add_node(state, press.pair, row.link, 1 - row.s);
+    add_node(state, press.pair, row.link + 1, row.s);
+    if (row.against == Against::thread) {
+        add_node(state, press.pair, row.other, row.t - 1);
+        add_node(state, press.pair, row.other + 1, -row.t);
+    }
+    if (before) {
+        const Vec3 drag = before->tangent_push - before->tangent_push.dot(row.normal) * row.normal;
+        press.rest += drag / contact_stiffness(state);
+        press.push = press.pair.force = before->normal_push * row.normal + drag;
+    }
+    state.presses.push_back(press);
+}
+
+void find_presses(State& state) {
+    state.presses.clear();
+    state.touching.clear();
+    for (Row& row : state.rows) add_press(state, row);
+    state.pairs.clear();
+    for (const Press& press : state.presses) {
+        state.pairs.push_back(press.pair);
+        const Row& row = *press.row;
+        state.touching.insert(state.touching.end(), {row.link, row.link + 1});
+        if (row.against == Against::thread) state.touching.insert(state.touching.end(), {row.other, row.other + 1});
+    }
+    std::sort(state.touching.begin(), state.touching.end());
+    state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());
+}
+
+// How far the points of each move apart for a unit push at each other.
+static Eigen::Map<Table::Matrix> measure_responses(State& state) {
+    ChainMatrix& matrix = state.rod->matrix();
+    const Eigen::MatrixXd& inverse = matrix.touching_inverse();
+    std::vector<Press>& presses = state.presses;
+    const Eigen::Index size = axes(presses.size());
+    auto moves = state.press_moves.resized(size, inverse.rows());
+    auto responses = state.press_responses.resized(size, size);
+    const auto place = [&](int node) { return axes(at(matrix.place_of(at(node)))); };
+    for (std::size_t c = 0; c < presses.size(); ++c) {
+        const Pair& pair = presses[c].pair;
+        moves.middleRows<3>(axes(c)).setZero();
+        for (int k = 0; k < pair.nodes; ++k) moves.middleRows<3>(axes(c)) += pair.weight[at(k)] * inverse.middleCols<3>(place(pair.node[at(k)])).transpose();
+    }
+    for (std::size_t d = 0; d < presses.size(); ++d)
+        for (std::size_t c = d; c < presses.size(); ++c) {
+            const Pair& pair = presses[c].pair;
+            Mat3 block = Mat3::Zero();
+            for (int k = 0; k < pair.nodes; ++k) block += pair.weight[at(k)] * moves.block<3, 3>(axes(d), place(pair.node[at(k)]));
+            responses.block<3, 3>(axes(d), axes(c)) = block;
+            responses.block<3, 3>(axes(c), axes(d)) = block.transpose();
+        }
+    return responses;
+}
+
+// The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from where they would
+// be. First across, then along.
+static Vec3 push_of(const Press& press, const Vec3& lacks) {
+    const Vec3& n = press.row->normal;
+    const double before = press.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / press.gives);
+    Vec3 drag = press.push - before * n + press.along * (lacks - (normal - before) * press.across);
+    const double size = drag.norm(), most = press.row->friction * normal;
+    if (size > most) drag *= most / size;
+    return normal * n + drag;
+}
+
+// How it gives way to its own push, with `give` of the contact itself.
+static void measure_own(Press& press, const Mat3& responses, double give) {
+    const Vec3& n = press.row->normal;
+    const Mat3 own = responses + give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
+    press.across = own * n;
+    press.gives = n.dot(press.across);
+    press.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
+}
+
+// Where the step takes the points of all.
+static void find_apart(State& state) {
+    const std::span<const Vec3> step = state.rod->step_found();
+    const auto way = [&](int link, double s) { return Vec3((1 - s) * step[at(link)] + s * step[at(link + 1)]); };
+    for (std::size_t c = 0; c < state.presses.size(); ++c) {
+        const Row& row = *state.presses[c].row;
+        Vec3 apart = apart_of(state, row) + way(row.link, row.s);
+        if (row.against == Against::thread) apart -= way(row.other, row.t);
+        state.apart.segment<3>(axes(c)) = apart;
+    }
+}
+
+using Responses = Eigen::Map<Table::Matrix>;
+
+// Pushes contact c by so much more.
+static void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more) {
+    state.presses[c].push += more;
+    state.apart.noalias() += responses.middleRows<3>(axes(c)).transpose() * more;
+}
+
+// One contact after the other; returns how much that changed, as share of all pushes.
+static double sweep(State& state, const Responses& responses) {
+    const double give = 1 / contact_stiffness(state);
+    double changed = 0, all = 0;
+    for (std::size_t c = 0; c < state.presses.size(); ++c) {
+        const Press& press = state.presses[c];
+        const Vec3 push = push_of(press, press.rest - state.apart.segment<3>(axes(c)) - give * press.push), more = push - press.push;
+        changed += more.squaredNorm(), all += push.squaredNorm();
+        if (more.squaredNorm() > 0) push_more(state, responses, c, more);
+    }
+    return all > 0 ? std::sqrt(changed / all) : 0;
+}
+
+// What the last sweep gained is carried on by `again` times where the ones before led.
+static void carry_on(State& state, const Responses& responses, double again) {
+    for (std::size_t c = 0; c < state.presses.size(); ++c) {
+        Press& press = state.presses[c];
+        const Vec3 gain = press.push - press.before;
+        press.way *= again;
+        if (again > 0) push_more(state, responses, c, press.way);
+        press.way += gain;
+    }
+}
+
+static double gained(const State& state) {
+    double sum = 0;
+    for (const Press& press : state.presses) sum += (press.push - press.before).squaredNorm();
+    return sum;
+}
+
+// Gauss and Seidel alone gain a little less each time where many work against each other; what each sweep gains is carried on as by
+// nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so that no push leaves its cone.
+int solve_presses(State& state) {
+    constexpr double enough = 1e-3;  // of all pushes, by a sweep
+    constexpr int most_sweeps = 30;
+    if (state.presses.empty()) return 0;
+    const Responses responses = measure_responses(state);
+    state.apart.resize(axes(state.presses.size()));
+    find_apart(state);
+    for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)), 1 / contact_stiffness(state));
+    double last = 0;
+    for (int sweeps = 1;; ++sweeps) {
+        for (Press& press : state.presses) press.before = press.push;
+        if (sweep(state, responses) < enough || sweeps == most_sweeps) return sweeps;
+        const double now = gained(state);
+        carry_on(state, responses, now < last ? now / last : 0);
+        last = now;
+    }
+}
+
+}  // namespace sim::thread

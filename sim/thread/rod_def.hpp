@@ -1,0 +1,25 @@
+#pragma once
+#include "sim/geometry/vec.hpp"
+
+namespace sim::thread {
+
+/// What an elastic thread is made of. SI.
+struct RodDef {
+    double radius = 0.0425e-3;       ///< [m]
+    double young = 2.8e9;            ///< Young's modulus [Pa].
+    double poisson = 0.5;            ///< Poisson's ratio, of the twist alone.
+    double friction = 0.15;          ///< Coulomb, of nodes on RodInput::bodies.
+    double density = 905;            ///< [kg/m^3]; 0: without inertia, every step ends in equilibrium.
+    /// Axial stiffness of a link over its bending stiffness, EA h^2 / B: practically inextensible at 1e4. 0: that of the material,
+    /// which is 4 (h / radius)^2 and stretches a suture by a twentieth at a newton.
+    double axial_over_bending = 1e4;
+    geometry::Vec3 gravity = geometry::Vec3::Zero();  ///< [m/s^2]
+
+    double bending_stiffness() const;   ///< B = E I [N m^2].
+    double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
+    double axial_stiffness(double link) const;  ///< [N], of links of this length.
+    double contact_stiffness(double link) const;  ///< [N/m], where strands are nearer to each other than they are thick.
+    double mass_per_length() const;     ///< [kg/m]
+};
+
+}  // namespace sim::thread
