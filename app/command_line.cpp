@@ -27,7 +27,7 @@ void add_run(CLI::App& program, Chosen& chosen) {
     command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
     command->add_option("--record", options->record, "Record the session to this file");
     auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
-    command->add_option("--thread", options->thread, "How the thread moves: ftl; elastic is not available yet");
+    command->add_option("--thread", options->thread, "How the thread moves: ftl (by geometry) or elastic (by forces)");
     command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
         ->check(CLI::Range(0, 10000))
         ->needs(out);
@@ -115,7 +115,7 @@ void add_rope(CLI::App& program, Chosen& chosen) {
         ->capture_default_str();
     command->add_option("--density", o->density_kg_m3, "[kg/m^3]; of no effect on a thread without inertia")
         ->capture_default_str();
-    command->add_flag("--gravity", o->gravity, "Let the thread weigh; not available yet");
+    command->add_flag("--gravity", o->gravity, "Let the thread weigh; elastic only");
     command->add_option("--obstacle", o->obstacle, "Mesh that stands still (.obj, .ply, .stl in mm)");
     command->add_option("--every", o->every, "Write positions to --out every N ticks")->capture_default_str();
     command->add_option("--out", o->out, "Positions, one JSON line each: t [s], x [mm], tension_N");

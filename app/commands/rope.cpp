@@ -36,9 +36,8 @@ void check_range(const char* option, double value, double low, double high, cons
 }
 
 void check(const RopeOptions& o) {
-    if (o.thread == "elastic") fail("--thread", "the elastic thread is not available yet, expected ftl");
-    if (o.thread != "ftl") fail("--thread", "expected ftl, found " + o.thread);
-    if (o.gravity) fail("--gravity", "is not available yet: it needs the elastic thread");
+    if (o.thread != "ftl" && o.thread != "elastic") fail("--thread", "expected ftl or elastic, found " + o.thread);
+    if (o.gravity && o.thread != "elastic") fail("--gravity", "a thread moved by ftl has no weight, expected --thread elastic beside it");
     check_range("--radius", o.radius_mm, 1e-3, 100, " mm");
     check_range("--friction", o.friction, 0, 10, "");
     check_range("--tick", o.tick_s, 1e-6, 1, " s");
@@ -98,9 +97,15 @@ rope::Experiment read(const RopeOptions& options) {
                          .friction = options.friction,
                          .friction_tool = options.friction,
                          .axial_stiffness = options.young_MPa * 1e6 * std::numbers::pi * radius * radius};
+    if (options.thread == "elastic") {
+        experiment.thread.elastic = {.young = options.young_MPa * 1e6, .density = options.density_kg_m3, .axial_over_bending = 0};
+        if (options.gravity) experiment.thread.elastic->gravity = {0, 0, -9.81};
+    }
     experiment.nodes = read_curve(options.curve);
     experiment.motion = rope::load_motion(options.motion, static_cast<int>(experiment.nodes.size()));
     if (options.links > 0) resample(experiment, static_cast<int>(options.links), options.motion);
+    if (experiment.thread.elastic && experiment.nodes.size() < 3)
+        fail(options.links > 0 ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");
     experiment.tick = options.tick_s;
     experiment.every = static_cast<int>(options.every);
     const double ticks = rope::ticks_of(experiment);

@@ -62,8 +62,13 @@ std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& mot
 
 int run_command(const RunOptions& options) {
     Drill drill = scenarios::drill::load_drill(options.drill);
-    if (!options.thread.empty() && options.thread != drill.world.thread.mover)
-        throw InputFault("--thread " + options.thread + ": error: this version moves threads by ftl only");
+    if (!options.thread.empty()) {
+        if (options.thread != "ftl" && options.thread != "elastic")
+            throw InputFault("--thread: error: expected ftl or elastic, found " + options.thread);
+        if (!options.record.empty() && options.thread != drill.world.thread.model)
+            throw InputFault("--thread " + options.thread + ": error: a recording is of the drill as it is, expected \"model\": \"" + options.thread + "\" in " + options.drill);
+        drill.world.thread.model = options.thread;
+    }
     const std::filesystem::path motion_file = options.input.empty() ? drill.motion : std::filesystem::path(options.input);
     if (motion_file.empty())
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");

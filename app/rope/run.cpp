@@ -83,7 +83,7 @@ Measured run(const Experiment& experiment) {
         const double t = static_cast<double>(tick) * experiment.tick;
         now.at(experiment.motion, t, rounding * experiment.tick);
         const auto start = std::chrono::steady_clock::now();
-        const TickReport report = thread.tick({now.holds, now.owners, {}, experiment.obstacle});
+        const TickReport report = thread.tick({now.holds, now.owners, {}, experiment.obstacle, experiment.tick});
         const std::chrono::duration<float, std::micro> taken = std::chrono::steady_clock::now() - start;
         measured.tick_us.push_back(taken.count());
         add(measured, report);

@@ -121,10 +121,11 @@ class Reader {
         world::ThreadDef& thread = drill_.world.thread;
         thread.size = entry["size"];
         thread.material = entry["material"];
-        thread.mover = entry["mover"];
+        thread.model = entry["model"];
         thread.diameter = metres(entry["diameter_mm"]);
         thread.length = metres(entry["length_mm"]);
         thread.young_modulus = entry["young_MPa"].get<double>() * 1e6;
+        thread.bending_share = material.bending_young_MPa / material.young_MPa;
         thread.density = entry["density_kg_m3"];
         thread.break_force = entry["break_N"];
         thread.friction = entry["friction"];

@@ -81,7 +81,7 @@ Shape thread() {
          {"shortest_link_mm",
           quantity("Where the thread bends or touches itself links are halved, down to this, and joined again where it is straight; 0: never. "
                    "Default: diameter_mm.", 0, 1000, "mm")},
-         {"mover", choice("How the thread is moved.", {"ftl"}, "this version has one way to move a thread, "), false,
+         {"model", choice("What moves the thread: ftl, by its geometry alone; elastic, a rod that bends and stretches by its material.", {"ftl", "elastic"}), false,
           "ftl"},
          {"start_mm",
           list("Path of the thread at the start, at least length_mm long; what is longer is cut off.", 2, 2000,

@@ -77,7 +77,7 @@ sim::thread::TickReport World::move_thread() {
         const auto to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
         for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], static_cast<int>(i)});
     }
-    return thread_.tick({holds_, hold_owners_, capsules_, &surface_});
+    return thread_.tick({holds_, hold_owners_, capsules_, &surface_, def_.tick_s});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it.

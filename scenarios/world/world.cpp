@@ -17,8 +17,11 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
         path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
         left -= length;
     }
-    return {{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link},
-            sim::thread::resample(path, def.links)};
+    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link};
+    if (def.model == "elastic")
+        thread.elastic = {.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .axial_over_bending = 0,
+                          .gravity = {0, 0, -def.gravity}};
+    return {thread, sim::thread::resample(path, def.links)};
 }
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)

@@ -88,7 +88,7 @@ TickReport elastic_tick(State& state, const TickInput& input) {
     const double asked = longest_asked(state);
     state.rod->begin({.holds = input.holds, .loads = input.loads, .turn = {}, .tolerance = {}}, input.seconds);
     double left = 1;
-    for (int i = 0; i < most_steps && left > 0; ++i) {
+    for (int i = 0; i < most_steps && left > 0 && !(i > 0 && state.rod->is_taut()); ++i) {
         left *= 1 - step(state, left, asked, report);
         std::fill(state.progress.begin(), state.progress.end(), 1 - left);
         place_capsules(state);

@@ -67,6 +67,13 @@ static void halve(State& state, std::size_t link) {
     insert(state.inverse_mass, link + 1, 1.0);
     state.rest[link] /= 2;
     for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) insert(*of_links, link, (*of_links)[link]);
+    if (!state.rod) return;
+    state.rod->halve(link);
+    const int halved = static_cast<int>(link);
+    for (Row& row : state.pressed) {
+        if (row.link > halved || (row.link == halved && row.s > 0.5)) ++row.link;
+        if (row.against == Against::thread && (row.other > halved || (row.other == halved && row.t > 0.5))) ++row.other;
+    }
 }
 
 static void join_at(State& state, std::size_t node) {
@@ -76,6 +83,13 @@ static void join_at(State& state, std::size_t node) {
     erase(state.inverse_mass, node);
     state.rest[node - 1] += state.rest[node];
     for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) erase(*of_links, node);
+    if (!state.rod) return;
+    state.rod->join_at(node);
+    const int joined = static_cast<int>(node);
+    for (Row& row : state.pressed) {
+        if (row.link >= joined) --row.link;
+        if (row.against == Against::thread && row.other >= joined) --row.other;
+    }
 }
 
 static void renumber(std::span<int> held, int from, int by) {
@@ -109,13 +123,14 @@ static bool join_where_straight(State& state, std::span<int> held) {
 
 bool fit_links(State& state, std::span<int> held) {
     const bool stands = state.unfinished.pace >= 0 || (state.reach > 0 && state.moved <= state.def.radius);
-    if (state.def.shortest_link <= 0 || state.rod || state.settled || stands) return false;
+    if (state.def.shortest_link <= 0 || state.settled || stands) return false;
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
     for (const int node : held) state.inverse_mass[at(node)] = 0;
     measure_nearest(state);
     const bool joined = join_where_straight(state, held), halved = halve_where_needed(state, held);
     if (!joined && !halved) return false;
     state.size_for_links();
+    if (state.rod) state.rod->resize();
     state.contacts.clear();
     state.rows.clear();
     state.seen.clear();  // to be looked for again

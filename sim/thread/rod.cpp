@@ -9,11 +9,12 @@ namespace sim::thread {
 // How stiff contact is against a link: so deep does a node go before the multiplier has taken over, in a few steps.
 static constexpr double contact_over_axial = 0.1;
 
-double RodDef::bending_stiffness() const { return young * 0.25 * std::numbers::pi * radius * radius * radius * radius; }
+double RodDef::bending_stiffness() const { return bending_share * young * 0.25 * std::numbers::pi * radius * radius * radius * radius; }
 double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
 double RodDef::axial_stiffness(double link) const {
     return axial_over_bending > 0 ? axial_over_bending * bending_stiffness() / (link * link) : young * std::numbers::pi * radius * radius;
 }
+double RodDef::most_pull() const { return 0.1 * young * std::numbers::pi * radius * radius; }
 // Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
 // thickness.
 double RodDef::contact_stiffness(double link) const { return 10 * axial_stiffness(link) / (2 * radius); }
@@ -22,24 +23,54 @@ double RodDef::mass_per_length() const { return density * std::numbers::pi * rad
 Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     now_.nodes = std::move(nodes);
     now_.velocity.assign(now_.nodes.size(), Vec3::Zero());
-    mass_.assign(now_.nodes.size(), 0);
     now_.tension.assign(now_.nodes.size() - 1, 0);
+    for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k) rest_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
+    resize();
+    const Vec3 first = (now_.nodes[1] - now_.nodes[0]).normalized();
+    now_.directors[0] = first.unitOrthogonal();
+    now_.directors[1] = along_rod(now_.directors[0], now_.nodes);
+}
+
+void Rod::resize() {
     force_.resize(now_.nodes.size());
-    for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k) {
-        rest_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
-        for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * rest_[k] * def_.mass_per_length();
-    }
-    // From the middle of the first link to that of the last: links themselves do not twist.
-    for (std::size_t k = 1; k < rest_.size(); ++k) twisted_length_ += 0.5 * (rest_[k - 1] + rest_[k]);
-    // A billionth of a bend's stiffness keeps what nothing holds from being nought, and moves nothing: it is against the last iterate.
-    for (const double l : rest_) {
+    mass_.assign(now_.nodes.size(), 0);
+    twisted_length_ = softest_ = stiffest_ = 0;
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        const double l = rest_[k];
+        for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * l * def_.mass_per_length();
+        // From the middle of the first link to that of the last: links themselves do not twist.
+        if (k > 0) twisted_length_ += 0.5 * (rest_[k - 1] + l);
+        // A billionth of a bend's stiffness keeps what nothing holds from being nought, and moves nothing: it is against the last iterate.
         softest_ = std::max(softest_, 1e-9 * def_.bending_stiffness() / (l * l * l));
         stiffest_ = std::max(stiffest_, def_.axial_stiffness(l) / l);
     }
     stiff_ = contact_over_axial * stiffest_;
-    const Vec3 first = (now_.nodes[1] - now_.nodes[0]).normalized();
-    now_.directors[0] = first.unitOrthogonal();
-    now_.directors[1] = along_rod(now_.directors[0], now_.nodes);
+}
+
+template <class T>
+static void insert_middle(std::vector<T>& values, std::size_t before) {
+    const T middle = 0.5 * (values[before] + values[before + 1]);
+    values.insert(values.begin() + static_cast<std::ptrdiff_t>(before) + 1, middle);
+}
+
+void Rod::halve(std::size_t link) {
+    insert_middle(now_.nodes, link);
+    insert_middle(now_.velocity, link);
+    rest_[link] /= 2;
+    for (auto* of_links : {&rest_, &now_.tension}) of_links->insert(of_links->begin() + static_cast<std::ptrdiff_t>(link), (*of_links)[link]);
+}
+
+void Rod::join_at(std::size_t node) {
+    rest_[node - 1] += rest_[node];
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity}) of_nodes->erase(of_nodes->begin() + static_cast<std::ptrdiff_t>(node));
+    for (auto* of_links : {&rest_, &now_.tension}) of_links->erase(of_links->begin() + static_cast<std::ptrdiff_t>(node));
+}
+
+void Rod::reserve(std::size_t links) {
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_, &newton_, &spread_, &trial_}) of_nodes->reserve(links + 1);
+    for (auto* of_links : {&rest_, &mass_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
+    held_.reserve(links + 1);
+    for (auto* measured : {&links_, &tried_}) measured->reserve(links);
 }
 
 double Rod::unbalanced() const {
@@ -277,11 +308,24 @@ void Rod::add_forces(const std::vector<Vec3>& forces) {
     for (std::size_t i = 0; i < spread_.size(); ++i) newton_[i] += spread_[i];
 }
 
+// What of the step pulls no link harder than any may be.
+double Rod::share_within_pull() const {
+    const double most = def_.most_pull();
+    double share = 1;
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        const double now = tension(static_cast<int>(k)), then = foreseen_[k];
+        if (then > most && then > now) share = std::min(share, std::max(0.0, most - now) / (then - now));
+    }
+    return share;
+}
+
 double Rod::go_by(double share, std::span<const Vec3> from, std::span<const double> bound) {
     const double largest = largest_turn();
     if (!std::isfinite(largest)) return 0;
-    share = std::min(share, most_turn / largest);
     foresee_tensions();
+    const double may_pull = share_within_pull();
+    is_taut_ = may_pull < share;
+    share = std::min({share, may_pull, most_turn / largest});
     const auto is_within = [&] {
         for (std::size_t i = 0; i < trial_.size(); ++i)
             if ((trial_[i] - from[i]).squaredNorm() > bound[i] * bound[i]) return false;

@@ -68,7 +68,14 @@ class Rod {
     /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within `bound` of
     /// where it is in `from`; returns what it made.
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
+    bool is_taut() const { return is_taut_; }  ///< Whether that stopped where a link would have been pulled harder than RodDef::most_pull.
     void end();
+
+    /// Between steps: a link cut at its middle, and two links made one where they meet. resize() after the last of them.
+    void halve(std::size_t link);
+    void join_at(std::size_t node);
+    void resize();
+    void reserve(std::size_t links);
 
     const RodDef& def() const { return def_; }
     std::span<const Vec3> nodes() const { return now_.nodes; }
@@ -162,6 +169,9 @@ class Rod {
     std::vector<Vec3> start_, due_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;
+    double share_within_pull() const;
+
+    bool is_taut_ = false;
     bool leads_ = false;                   // held nodes are due to go somewhere
     double inertia_ = 0;                   // [1/s^2]
     std::vector<MovingCapsule> bodies_;

@@ -6,7 +6,8 @@ namespace sim::thread {
 /// What an elastic thread is made of. SI.
 struct RodDef {
     double radius = 0.0425e-3;       ///< [m]
-    double young = 2.8e9;            ///< Young's modulus [Pa].
+    double young = 2.8e9;            ///< Young's modulus [Pa], along the thread;
+    double bending_share = 1;        ///< what of it counts in bending: less than 1 where a braid's fibres slide.
     double poisson = 0.5;            ///< Poisson's ratio, of the twist alone.
     double friction = 0.15;          ///< Coulomb, of nodes on RodInput::bodies.
     double density = 905;            ///< [kg/m^3]; 0: without inertia, every step ends in equilibrium.
@@ -18,6 +19,7 @@ struct RodDef {
     double bending_stiffness() const;   ///< B = E I [N m^2].
     double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
     double axial_stiffness(double link) const;  ///< [N], of links of this length.
+    double most_pull() const;           ///< [N] at a strain of a tenth: no step pulls harder.
     double contact_stiffness(double link) const;  ///< [N/m], where strands are nearer to each other than they are thick.
     double mass_per_length() const;     ///< [kg/m]
 };

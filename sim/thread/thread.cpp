@@ -51,6 +51,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     if (!def.elastic) return;
     def.elastic->radius = def.radius;
     rod.emplace(*def.elastic, nodes);
+    rod->reserve(most);
 }
 
 void State::size_for_links() {

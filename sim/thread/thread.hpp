@@ -77,8 +77,7 @@ class Thread {
 
     /// Between ticks: links where they are needed, by ThreadDef::shortest_link. None is longer than the longest was at first. The
     /// curve stays where it is to within a tenth of the radius, and what passes through what. `held`: nodes that somebody holds;
-    /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n). An elastic thread's stay
-    /// as they are.
+    /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n).
     bool fit_links(std::span<int> held);
 
     const ThreadDef& def() const;

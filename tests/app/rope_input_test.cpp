@@ -100,9 +100,9 @@ std::vector<Case> rope_cases() {
     with_options("negative friction", "--friction", {"--friction", "-0.1"});
     with_options("tick of nothing", "--tick", {"--tick", "0"});
     with_options("every zero ticks", "--every", {"--every", "0"});
-    with_options("a thread that is not there", "--thread", {"--thread", "elastic"});
+    with_options("an elastic thread that cannot bend", "--links", {"--thread", "elastic", "--links", "1"});
     with_options("an unknown thread", "--thread", {"--thread", "wool"});
-    with_options("gravity", "--gravity", {"--gravity"});
+    with_options("weight of a thread that has none", "--gravity", {"--gravity"});
     with_options("positions into a folder that is not there", "nowhere", {"--out", "@nowhere/x.jsonl"});
     with_options("an obstacle of another kind", "m.csv", {"--obstacle", "@m.csv"});
     return cases;

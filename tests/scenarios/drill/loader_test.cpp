@@ -79,7 +79,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"links\", \"shortest_link_mm\", \"mover\", \"start_mm\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"links\", \"shortest_link_mm\", \"model\", \"start_mm\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),
@@ -106,9 +106,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"gravity\": false", "\"tissue\": \"elastic\""),
          "a.json:16:25: error: /effects/tissue: this version cannot simulate more, expected \"rigid\", found "
          "\"elastic\""},
-        {with("\"friction\": 0.2", "\"mover\": \"elastic\""),
-         "a.json:7:14: error: /thread/mover: this version has one way to move a thread, expected \"ftl\", found "
-         "\"elastic\""},
+        {with("\"friction\": 0.2", "\"model\": \"rubber\""),
+         "a.json:7:14: error: /thread/model: expected \"ftl\" or \"elastic\", found \"rubber\""},
         {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),
          "a.json:17:41: error: /goals/0/around: no vessel is named \"aorta\", expected \"carotid\""},
         {with("\"throws\": 2", "\"throws\": \"2-1\""),

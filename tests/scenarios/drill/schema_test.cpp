@@ -104,7 +104,7 @@ TEST(DrillSchema, JudgesAsTheLoaderDoes) {
     document["motion"] = "a.csv";
     document["thread"].update({{"links", 50},
                                {"material", "silk"},
-                               {"mover", "ftl"},
+                               {"model", "elastic"},
                                {"start_mm", {{0, 0, 9}, {0, 150, 9}}},
                                {"young_MPa", 100}});
     document["vessels"][0].update({{"held", {"start"}}, {"axis", {0, 1, 0}}});
