@@ -25,6 +25,9 @@ Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     now_.velocity.assign(now_.nodes.size(), Vec3::Zero());
     now_.tension.assign(now_.nodes.size() - 1, 0);
     for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k) rest_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
+    natural_.assign(now_.nodes.size(), 0);
+    measure(now_.nodes, links_);
+    for (std::size_t i = 1; i < rest_.size() && def_.keeps_shape; ++i) natural_[i] = (links_[i].along - links_[i - 1].along).norm();
     resize();
     const Vec3 first = (now_.nodes[1] - now_.nodes[0]).normalized();
     now_.directors[0] = first.unitOrthogonal();
@@ -56,6 +59,7 @@ static void insert_middle(std::vector<T>& values, std::size_t before) {
 void Rod::halve(std::size_t link) {
     insert_middle(now_.nodes, link);
     insert_middle(now_.velocity, link);
+    natural_.insert(natural_.begin() + static_cast<std::ptrdiff_t>(link) + 1, 0.0);
     rest_[link] /= 2;
     for (auto* of_links : {&rest_, &now_.tension}) of_links->insert(of_links->begin() + static_cast<std::ptrdiff_t>(link), (*of_links)[link]);
 }
@@ -63,12 +67,13 @@ void Rod::halve(std::size_t link) {
 void Rod::join_at(std::size_t node) {
     rest_[node - 1] += rest_[node];
     for (auto* of_nodes : {&now_.nodes, &now_.velocity}) of_nodes->erase(of_nodes->begin() + static_cast<std::ptrdiff_t>(node));
+    natural_.erase(natural_.begin() + static_cast<std::ptrdiff_t>(node));
     for (auto* of_links : {&rest_, &now_.tension}) of_links->erase(of_links->begin() + static_cast<std::ptrdiff_t>(node));
 }
 
 void Rod::reserve(std::size_t links) {
     for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_, &newton_, &spread_, &trial_}) of_nodes->reserve(links + 1);
-    for (auto* of_links : {&rest_, &mass_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
+    for (auto* of_links : {&rest_, &mass_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
     held_.reserve(links + 1);
     for (auto* measured : {&links_, &tried_}) measured->reserve(links);
 }

@@ -152,6 +152,7 @@ class Rod {
 
     RodDef def_;
     std::vector<double> rest_, mass_;      // per link [m], per node [kg]
+    std::vector<double> natural_;          // bend of an unloaded node, as the difference of tangents
     double twisted_length_ = 0;            // [m]
     double softest_ = 0, stiffest_ = 0;    // [N/m] added to every node, and of a link against stretch
     double stiff_ = 0;                     // [N/m] of contact

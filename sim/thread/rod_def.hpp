@@ -14,6 +14,9 @@ struct RodDef {
     /// Axial stiffness of a link over its bending stiffness, EA h^2 / B: practically inextensible at 1e4. 0: that of the material,
     /// which is 4 (h / radius)^2 and stretches a suture by a twentieth at a newton.
     double axial_over_bending = 1e4;
+    /// Whether it is as it was made, bent by as much at each node as at first, when unloaded; else straight. About which axis a node
+    /// bends is free, as in a round thread of which no end is kept from turning.
+    bool keeps_shape = false;
     geometry::Vec3 gravity = geometry::Vec3::Zero();  ///< [m/s^2]
 
     double bending_stiffness() const;   ///< B = E I [N m^2].

@@ -26,7 +26,9 @@ double Rod::energy_of(const std::vector<Link>& links) const {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double strain = links[k].length / rest_[k] - 1;
         sum += 0.5 * def_.axial_stiffness(rest_[k]) * rest_[k] * strain * strain;
-        if (k > 0) sum += 0.5 * bend_stiffness(def_, rest_[k - 1], rest_[k]) * (links[k].along - links[k - 1].along).squaredNorm();
+        if (k == 0) continue;
+        const double bend = (links[k].along - links[k - 1].along).norm() - natural_[k];
+        sum += 0.5 * bend_stiffness(def_, rest_[k - 1], rest_[k]) * bend * bend;
     }
     return sum;
 }
@@ -54,12 +56,17 @@ void Rod::add_stretch(Keep keep) {
     }
 }
 
+// What share of a bend is more than the natural one. A straight one does not know where to; it is left a tenth of it to find out.
+static double excess(double natural, double bend) { return natural > 0 ? 1 - natural / std::max(bend, 0.1 * natural) : 1; }
+
+// With a natural bend the stiffness is that without one, which is no less.
 void Rod::add_bending(Keep keep) {
     for (std::size_t k = 0; k + 1 < rest_.size(); ++k) {
         Link &a = links_[k], &b = links_[k + 1];
         const double stiffness = bend_stiffness(def_, rest_[k], rest_[k + 1]), c = a.along.dot(b.along);
         const Vec3 b_off_a = b.along - c * a.along, a_off_b = a.along - c * b.along;
-        a.pull -= stiffness / a.length * b_off_a, b.pull -= stiffness / b.length * a_off_b;
+        const double more = stiffness * excess(natural_[k + 1], (b.along - a.along).norm());
+        a.pull -= more / a.length * b_off_a, b.pull -= more / b.length * a_off_b;
         const auto add = [&](Link& link, const Vec3& off) {
             const double s = stiffness / (link.length * link.length), across = keep == Keep::whole ? s * c : s;
             link.own += across;

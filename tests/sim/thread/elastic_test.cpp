@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/bench/shape.hpp"
+#include "sim/knot/namer.hpp"
+#include "sim/thread/thread.hpp"
+
+using namespace sim::thread;
+
+namespace {
+
+constexpr double radius = ThreadDef{}.radius, thickness = 2 * radius, tick = 1e-3;
+
+ThreadDef elastic(double friction) {
+    ThreadDef def{.friction = friction, .friction_tool = friction};
+    def.elastic = {.axial_over_bending = 0};
+    return def;
+}
+
+// Two hands, each at the last two nodes of an end, that take them apart along x.
+struct Pulled {
+    explicit Pulled(const ThreadDef& def, const std::vector<Vec3>& start) : thread(def, start), last(static_cast<int>(start.size()) - 1) {}
+
+    TickReport by(double way) {
+        const std::span<const Vec3> x = thread.nodes();
+        const Vec3 step = way * Vec3::UnitX();
+        const auto n = static_cast<std::size_t>(last);
+        const Hold holds[] = {{0, x[0] - step}, {1, x[1] - step}, {last - 1, x[n - 1] + step}, {last, x[n] + step}};
+        constexpr int owners[] = {0, 0, 1, 1};
+        return thread.tick({holds, owners, {}, nullptr, tick});
+    }
+
+    Thread thread;
+    int last;
+};
+
+std::vector<Vec3> loose_overhand(double scale = 1, double mirror = 1) {
+    std::vector<Vec3> nodes = app::bench::overhand(120, 120 * thickness);
+    for (Vec3& p : nodes) p = scale * Vec3(p.x(), p.y(), mirror * p.z());
+    return nodes;
+}
+
+}  // namespace
+
+// An overhand pulled until it is tight: never through itself, by no more than strands give, still an overhand.
+TEST(Elastic, OverhandTightensAndStaysOne) {
+    for (const double friction : {0.0, 0.2}) {
+        SCOPED_TRACE(friction);
+        Pulled rope(elastic(friction), loose_overhand());
+        const std::string knot = sim::knot::name_knot({rope.thread.nodes().begin(), rope.thread.nodes().end()}).knot;
+        double pulled_hardest = 0;
+        for (int t = 0; t < 3000 && pulled_hardest < 1; ++t) {
+            const TickReport report = rope.by(0.02 * thickness);
+            ASSERT_EQ(report.pass_throughs, 0) << t;
+            ASSERT_LE(report.step_over_bound, 1) << t;
+            if (t >= 200) {  // it springs into its shape first
+                ASSERT_GT(report.separation_min, 0.95) << t;
+            }
+            pulled_hardest = *std::max_element(rope.thread.tension().begin(), rope.thread.tension().end());
+        }
+        EXPECT_GE(pulled_hardest, 1) << "N";
+        EXPECT_EQ(sim::knot::name_knot({rope.thread.nodes().begin(), rope.thread.nodes().end()}).knot, knot);
+    }
+}
+
+// The same bits twice; the mirror image of the scene gives the mirror image of the answer, another scale the same shape.
+TEST(Elastic, TheSameAgainMirroredAndLarger) {
+    const auto play = [](double scale, double mirror) {
+        ThreadDef def = elastic(0.2);
+        def.radius *= scale;
+        def.elastic->density = 0;  // inertia has a scale of its own
+        Pulled rope(def, loose_overhand(scale, mirror));
+        for (int t = 0; t < 100; ++t) rope.by(0.02 * scale * thickness);
+        std::vector<Vec3> found;
+        for (const Vec3& p : rope.thread.nodes()) found.push_back(Vec3(p.x(), p.y(), mirror * p.z()) / scale);
+        return std::pair(found, rope.thread.hash());
+    };
+    const auto plain = play(1, 1);
+    EXPECT_EQ(play(1, 1).second, plain.second);
+    const auto apart = [&](const std::vector<Vec3>& other) {
+        double most = 0;
+        for (std::size_t i = 0; i < other.size(); ++i) most = std::max(most, (other[i] - plain.first[i]).norm());
+        return most / thickness;
+    };
+    EXPECT_EQ(apart(play(1, -1).first), 0);
+    EXPECT_EQ(apart(play(1024, 1).first), 0);
+}
+
+// What hangs from a hold pulls with its weight, to what one step of Newton's method a tick has left after a second.
+TEST(Elastic, HoldCarriesWhatHangs) {
+    ThreadDef def = elastic(0);
+    def.elastic->gravity = {0, 0, -9.81};
+    std::vector<Vec3> nodes;
+    for (int i = 0; i <= 60; ++i) nodes.emplace_back(0, 0, -5e-4 * i);
+    Thread thread(def, nodes);
+    for (int t = 0; t < 1000; ++t) {
+        const Hold hold[] = {{0, nodes[0]}};
+        constexpr int owner[] = {0};
+        thread.tick({hold, owner, {}, nullptr, tick});
+    }
+    const double weight = 9.81 * def.elastic->mass_per_length() * (60 - 0.5) * 5e-4;  // half of the first link hangs on the held node itself
+    EXPECT_NEAR(thread.tension().front(), weight, 1e-3 * weight);
+}
+
+// Past taut the hands wait: no link is stretched by more than a tenth.
+TEST(Elastic, HandsWaitWhenItIsTaut) {
+    std::vector<Vec3> nodes;
+    for (int i = 0; i <= 40; ++i) nodes.emplace_back(thickness * i, 0, 0);
+    Pulled rope(elastic(0), nodes);
+    TickReport report;
+    for (int t = 0; t < 200; ++t) report = rope.by(0.05 * thickness);
+    EXPECT_LT(report.fraction, 0.01);
+    EXPECT_LT(report.stretch_max, 0.1 * (1 + 1e-9));
+    EXPECT_GT(report.stretch_max, 0.09);
+}
+
+// A thread that keeps its shape is at rest in it, one that does not springs straight.
+TEST(Elastic, KeepsTheShapeItWasMadeIn) {
+    for (const bool keeps : {true, false}) {
+        std::vector<Vec3> arc;
+        for (int i = 0; i <= 30; ++i) arc.emplace_back(1e-3 * std::cos(0.1 * i), 1e-3 * std::sin(0.1 * i), 0);
+        ThreadDef def = elastic(0);
+        def.elastic->keeps_shape = keeps;
+        Thread thread(def, arc);
+        for (int t = 0; t < 50; ++t) {
+            const Hold holds[] = {{0, arc[0]}, {1, arc[1]}};
+            constexpr int owners[] = {0, 0};
+            thread.tick({holds, owners, {}, nullptr, tick});
+        }
+        const double moved = (thread.nodes()[30] - arc[30]).norm() / thickness;
+        EXPECT_EQ(moved < 1e-6, keeps) << moved;
+        EXPECT_EQ(moved > 10, !keeps) << moved;
+    }
+}
+
+// Links halved where it bends leave it as it is, and its ends where they are held.
+TEST(Elastic, HalvesLinksWhereItBends) {
+    ThreadDef def = elastic(0.2);
+    def.shortest_link = thickness;
+    std::vector<Vec3> arc;
+    for (int i = 0; i <= 30; ++i) arc.emplace_back(2e-3 * std::cos(0.2 * i), 2e-3 * std::sin(0.2 * i), 1e-4 * i);
+    Thread thread(def, arc);
+    for (int t = 0; t < 20; ++t) {
+        std::array<int, 2> held{0, static_cast<int>(thread.nodes().size()) - 1};
+        thread.fit_links(held);
+        ASSERT_EQ(thread.nodes()[static_cast<std::size_t>(held[1])], arc.back());
+        const Hold holds[] = {{held[0], arc.front()}, {held[1], arc.back()}};
+        constexpr int owners[] = {0, 1};
+        const TickReport report = thread.tick({holds, owners, {}, nullptr, tick});
+        ASSERT_LT(report.stretch_max, 0.01) << t;
+    }
+    EXPECT_GT(thread.nodes().size(), arc.size());
+}
