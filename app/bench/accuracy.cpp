@@ -8,6 +8,8 @@
 #include "app/bench/gauge.hpp"
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
+#include "app/bench/shape.hpp"
+#include "app/bench/thread_rope.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace app::bench {
@@ -127,6 +129,28 @@ void add_speed(Suite& suite, double speed) {
     add("-strain", "largest strain", strain, "ratio");
 }
 
+// The overhand pull of `carrel bench speed`, by the elastic thread.
+void add_pull(Suite& suite, int links, double friction) {
+    const PullDef def{.links = links, .friction = friction, .elastic = true};
+    const auto start = overhand(def.links, def.length);
+    ThreadRope rope(def, start);
+    const PullFigures found = pull(rope, def, start);
+    const std::string id = "elastic-pull-" + std::to_string(links) + "-mu" + std::to_string(std::lround(10 * friction));
+    const std::string what = "elastic, overhand pull, " + std::to_string(links) + " links, friction 0." + std::to_string(std::lround(10 * friction)) + ": ";
+    const auto add = [&](const char* name, const char* of, double value, const char* unit, std::optional<double> bound = {}, Must must = Must::be_at_most) {
+        suite.rows.push_back({.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = bound, .must = must, .error = {}});
+    };
+    add("-p50", "median tick", found.tick_p50, "us");
+    add("-p99", "99 of 100 ticks", found.tick_p99, "us");
+    add("-worst", "slowest tick", found.tick_max, "us");
+    add("-tight-p50", "median tick when tight", found.tight_p50, "us");
+    add("-tight-p99", "99 of 100 ticks when tight", found.tight_p99, "us");
+    add("-gap", "smallest gap until it is tight", found.gap_pull, "D", 0.99, Must::be_at_least);
+    add("-gap-over", "smallest gap beyond", found.gap_over, "D", 0.99, Must::be_at_least);
+    add("-kept", "knot kept", found.knot_kept, "count", 1, Must::be_at_least);
+    add("-passes", "pass-throughs", found.pass_throughs, "count", 0);
+}
+
 }  // namespace
 
 Suite accuracy_suite(bool quick, const Progress& progress) {
@@ -140,6 +164,9 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     add_capstan(suite, quick);
     add_laws(suite);
     for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
+    if (progress) progress("elastic overhand pulls");
+    for (const double friction : {0.0, 0.2}) add_pull(suite, 200, friction);
+    if (!quick) add_pull(suite, 400, 0.2);
     return suite;
 }
 

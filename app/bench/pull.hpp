@@ -18,6 +18,8 @@ struct PullDef {
     double diameter = 0;         ///< [m]; 0: as thick as a link is long.
     double length = 1;           ///< [m]
     double friction = 0.3;       ///< Coulomb coefficient, rope on rope.
+    bool elastic = false;        ///< Ours moves as an elastic rod of polypropylene, each hand at two nodes: a rod that may turn
+                                 ///< about its held ends slips its loop over them.
 
     double link() const { return length / links; }
     double thickness() const { return diameter > 0 ? diameter : link(); }
