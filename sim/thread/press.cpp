@@ -161,7 +161,7 @@ static double gained(const State& state) {
 // nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so that no push leaves its cone.
 int solve_presses(State& state) {
     constexpr double enough = 1e-3;  // of all pushes, by a sweep
-    constexpr int most_sweeps = 30;
+    constexpr int most_sweeps = 60;
     if (state.presses.empty()) return 0;
     const Responses responses = measure_responses(state);
     state.apart.resize(axes(state.presses.size()));

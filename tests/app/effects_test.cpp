@@ -43,3 +43,10 @@ TEST(Effects, EveryEffectOfDrillFilesIsExplained) {
         EXPECT_FALSE(effect(name, sample::drill).on);
     }
 }
+
+// What an elastic thread is made for is on with it, and its cost no longer conditional.
+TEST(Effects, AnElasticThreadBendsStretchesAndSwings) {
+    const std::string text = sample::with("\"size\": \"6-0\"", "\"size\": \"6-0\", \"model\": \"elastic\"");
+    for (const char* name : {"bending", "extension", "inertia"}) EXPECT_TRUE(effect(name, text).on) << name;
+    for (const char* name : {"gravity", "twist", "plastic_set"}) EXPECT_FALSE(effect(name, text).on) << name;
+}
