@@ -127,11 +127,14 @@ bool ChainMatrix::factor_touching() {
     return in_place.info() == Eigen::Success;
 }
 
-const Eigen::MatrixXd& ChainMatrix::touching_inverse() {
-    inverse_.setIdentity(dense_.rows(), dense_.rows());
-    dense_.triangularView<Eigen::Lower>().solveInPlace(inverse_);
-    dense_.transpose().triangularView<Eigen::Upper>().solveInPlace(inverse_);
-    return inverse_;
+Eigen::Map<const Eigen::MatrixXd> ChainMatrix::touching_inverse() {
+    const Eigen::Index size = dense_.rows();
+    inverse_.resize(static_cast<std::size_t>(size * size));
+    Eigen::Map<Dense> inverse(inverse_.data(), size, size);
+    inverse.setIdentity();
+    dense_.triangularView<Eigen::Lower>().solveInPlace(inverse);
+    dense_.transpose().triangularView<Eigen::Upper>().solveInPlace(inverse);
+    return {inverse_.data(), size, size};
 }
 
 // Node by node, what is still to be eliminated of the next two in registers.
@@ -188,11 +191,12 @@ void ChainMatrix::solve_backward(const Piece& piece, std::vector<Vec3>& x) const
 void ChainMatrix::solve(std::vector<Vec3>& x) const {
     for (const Piece& piece : pieces_) solve_forward(piece, x);
     if (!touching_.empty()) {
-        touching_x_.resize(dense_.rows());
-        for (const int node : touching_) touching_x_.segment<3>(row_of(static_cast<std::size_t>(node))) = x[static_cast<std::size_t>(node)];
-        dense_.triangularView<Eigen::Lower>().solveInPlace(touching_x_);
-        dense_.transpose().triangularView<Eigen::Upper>().solveInPlace(touching_x_);
-        for (const int node : touching_) x[static_cast<std::size_t>(node)] = touching_x_.segment<3>(row_of(static_cast<std::size_t>(node)));
+        touching_x_.resize(3 * touching_.size());
+        Eigen::Map<Eigen::VectorXd> together(touching_x_.data(), dense_.rows());
+        for (const int node : touching_) together.segment<3>(row_of(static_cast<std::size_t>(node))) = x[static_cast<std::size_t>(node)];
+        dense_.triangularView<Eigen::Lower>().solveInPlace(together);
+        dense_.transpose().triangularView<Eigen::Upper>().solveInPlace(together);
+        for (const int node : touching_) x[static_cast<std::size_t>(node)] = together.segment<3>(row_of(static_cast<std::size_t>(node)));
     }
     for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece) solve_backward(*piece, x);
 }

@@ -37,7 +37,7 @@ class ChainMatrix {
     bool factor(double more = 0);
 
     /// The part of A^-1 in the rows and columns of touching nodes, three scalars each in their order.
-    const Eigen::MatrixXd& touching_inverse();
+    Eigen::Map<const Eigen::MatrixXd> touching_inverse();
 
     /// Which of the touching nodes this is, counted from 0; -1: none.
     int place_of(std::size_t node) const { return place_[node]; }
@@ -71,8 +71,8 @@ class ChainMatrix {
     Eigen::Matrix<double, edge_stride, edge_stride> own_;  // what a piece does to those two nodes
     std::vector<double> dense_room_;
     Eigen::Map<Dense> dense_{nullptr, 0, 0};  // its lower half
-    mutable Eigen::VectorXd touching_x_;
-    Dense inverse_;
+    mutable std::vector<double> touching_x_;
+    std::vector<double> inverse_;
 };
 
 }  // namespace sim::thread

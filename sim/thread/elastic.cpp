@@ -34,7 +34,7 @@ static double share_within_bounds(const State& state) {
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
         if (press.push.squaredNorm() > 0 && press.row->against == Against::thread)
-            limit(state.apart.segment<3>(static_cast<Eigen::Index>(3 * c)) - apart_of(state, *press.row), most);
+            limit(Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - apart_of(state, *press.row), most);
     }
     return share;
 }

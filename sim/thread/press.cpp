@@ -65,7 +65,7 @@ void find_presses(State& state) {
 // How far the points of each move apart for a unit push at each other.
 static Eigen::Map<Table::Matrix> measure_responses(State& state) {
     ChainMatrix& matrix = state.rod->matrix();
-    const Eigen::MatrixXd& inverse = matrix.touching_inverse();
+    const auto inverse = matrix.touching_inverse();
     std::vector<Press>& presses = state.presses;
     const Eigen::Index size = axes(presses.size());
     auto moves = state.press_moves.resized(size, inverse.rows());
@@ -115,16 +115,19 @@ static void find_apart(State& state) {
         const Row& row = *state.presses[c].row;
         Vec3 apart = apart_of(state, row) + way(row.link, row.s);
         if (row.against == Against::thread) apart -= way(row.other, row.t);
-        state.apart.segment<3>(axes(c)) = apart;
+        std::copy_n(apart.data(), 3, state.apart.data() + 3 * c);
     }
 }
 
 using Responses = Eigen::Map<Table::Matrix>;
 
-// Pushes contact c by so much more.
+// Pushes contact c by so much more. Written out: Eigen rounds what lies before the first aligned place otherwise than the rest.
 static void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more) {
     state.presses[c].push += more;
-    state.apart.noalias() += responses.middleRows<3>(axes(c)).transpose() * more;
+    const double* const x = responses.row(axes(c)).data();
+    const double* const y = responses.row(axes(c) + 1).data();
+    const double* const z = responses.row(axes(c) + 2).data();
+    for (std::size_t i = 0; i < state.apart.size(); ++i) state.apart[i] += x[i] * more.x() + y[i] * more.y() + z[i] * more.z();
 }
 
 // One contact after the other; returns how much that changed, as share of all pushes.
@@ -133,7 +136,7 @@ static double sweep(State& state, const Responses& responses) {
     double changed = 0, all = 0;
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
-        const Vec3 push = push_of(press, press.rest - state.apart.segment<3>(axes(c)) - give * press.push), more = push - press.push;
+        const Vec3 push = push_of(press, press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - give * press.push), more = push - press.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
         if (more.squaredNorm() > 0) push_more(state, responses, c, more);
     }
@@ -164,7 +167,7 @@ int solve_presses(State& state) {
     constexpr int most_sweeps = 60;
     if (state.presses.empty()) return 0;
     const Responses responses = measure_responses(state);
-    state.apart.resize(axes(state.presses.size()));
+    state.apart.resize(3 * state.presses.size());
     find_apart(state);
     for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)), 1 / contact_stiffness(state));
     double last = 0;

@@ -160,7 +160,7 @@ struct State {
     std::vector<Press> presses;
     std::vector<Pair> pairs;
     std::vector<Vec3> forces;
-    Eigen::VectorXd apart;             ///< Of the points of all presses, from the other's to the link's, as the step has it [m].
+    std::vector<double> apart;         ///< Of the points of all presses, from the other's to the link's, as the step has it [m].
     Table press_moves, press_responses;
     std::vector<Row> pressed;          ///< What pressed when its last step ended; pushes in newtons.
 
