@@ -67,19 +67,51 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
+// What share of their motion that is left tools may make before we look again: none goes farther than the thread beside it leaves room
+// for, or by the thread's radius where it touches.
+static double share_of_tools(const State& state, double left) {
+    double share = 1;
+    const auto limit = [&](double way, double room) { if (way * left * share > room) share = room / (way * left); };
+    for (const MovingCapsule& c : state.input.capsules)
+        limit(std::max((c.to.a - c.from.a).norm(), (c.to.b - c.from.b).norm()), std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius));
+    for (const Contact& c : state.contacts) {
+        if (c.against != Against::capsule) continue;
+        const MovingCapsule& tool = state.input.capsules[at(c.other)];
+        limit((tool.to.a - tool.from.a + c.place * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).norm(), std::max(state.def.radius, c.gap - c.thickness));
+    }
+    return share;
+}
+
+static void set_progress(State& state, double progress) {
+    std::fill(state.progress.begin(), state.progress.end(), progress);
+    place_capsules(state);
+}
+
+// Tools first, as far as they may go, then the thread, and what it holds with it. Returns what is left of the tick's motion.
 static double step(State& state, double left, double asked, TickReport& report) {
     Rod& rod = *state.rod;
+    const double way = std::max(0.5 * state.def.radius, left * asked);
     state.before = state.nodes;
     state.capsules_before = state.capsules;
-    look(state, std::max(0.5 * state.def.radius, left * asked));
+    look(state, way);
+    const double tools = share_of_tools(state, left);
+    if (!state.capsules.empty()) {
+        set_progress(state, 1 - left * (1 - tools));
+        state.moved += largest_capsule_move(state);
+        look(state, way);
+    }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     find_presses(state);
-    rod.find_free_step(state.input.holds, state.pairs, state.touching);
+    state.targets.assign(state.input.holds.begin(), state.input.holds.end());
+    for (Hold& hold : state.targets) hold.target = state.nodes[at(hold.node)] + tools * (hold.target - state.nodes[at(hold.node)]);
+    rod.find_free_step(state.targets, state.pairs, state.touching);
     report.iterations += solve_presses(state);
     add_changes(state);
     const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
-    return share;
+    left *= 1 - tools * share;
+    set_progress(state, 1 - left);
+    return left;
 }
 
 TickReport elastic_tick(State& state, const TickInput& input) {
@@ -89,9 +121,7 @@ TickReport elastic_tick(State& state, const TickInput& input) {
     state.rod->begin({.holds = input.holds, .loads = input.loads, .turn = {}, .tolerance = {}}, input.seconds);
     double left = 1;
     for (int i = 0; i < most_steps && left > 0 && !(i > 0 && state.rod->is_taut()); ++i) {
-        left *= 1 - step(state, left, asked, report);
-        std::fill(state.progress.begin(), state.progress.end(), 1 - left);
-        place_capsules(state);
+        left = step(state, left, asked, report);
         end_step(state, report);
     }
     state.rod->end();

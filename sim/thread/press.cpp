@@ -32,7 +32,8 @@ static void add_press(State& state, Row& row) {
     if (!before && row.distance > row.target + near) return;
     Press press{&row, {}};
     const Vec3 across = row.start - row.start.dot(row.normal) * row.normal;
-    press.rest = row.target * row.normal + across;
+    // Out of a tool or a wall at once, strands apart as fast as leaves them room.
+    press.rest = (row.against == Against::thread ? row.target : row.thickness) * row.normal + across;
     add_node(state, press.pair, row.link, 1 - row.s);
     add_node(state, press.pair, row.link + 1, row.s);
     if (row.against == Against::thread) {

@@ -159,6 +159,7 @@ struct State {
     std::vector<int> touching;         ///< Scratch of it,
     std::vector<Press> presses;
     std::vector<Pair> pairs;
+    std::vector<Hold> targets;
     std::vector<Vec3> forces;
     std::vector<double> apart;         ///< Of the points of all presses, from the other's to the link's, as the step has it [m].
     Table press_moves, press_responses;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "app/bench/shape.hpp"
 #include "sim/knot/namer.hpp"
@@ -153,4 +154,26 @@ TEST(Elastic, HalvesLinksWhereItBends) {
         ASSERT_LT(report.stretch_max, 0.01) << t;
     }
     EXPECT_GT(thread.nodes().size(), arc.size());
+}
+
+// A bar led into a slack thread faster than the thread is thick a tick pushes it on and never comes out behind it.
+TEST(Elastic, AToolPushesItOn) {
+    std::vector<Vec3> arc;
+    for (int i = 0; i <= 60; ++i) arc.emplace_back(2e-4 * (i - 30), 0, 1e-3 * std::cos(std::numbers::pi * (i - 30) / 60));
+    Thread thread(elastic(0.2), arc);
+    constexpr double step = 3e-4, bar = 0.5e-3;
+    Vec3 at(0, -2e-3, 1e-3);
+    for (int t = 0; t < 15; ++t) {
+        const Vec3 half(0, 0, 5e-3), next = at + step * Vec3::UnitY();
+        const MovingCapsule tool[] = {{{at - half, at + half, bar}, {next - half, next + half, bar}, 2}};
+        const Hold holds[] = {{0, arc.front()}, {60, arc.back()}};
+        constexpr int owners[] = {0, 1};
+        const TickReport report = thread.tick({holds, owners, tool, nullptr, tick});
+        ASSERT_EQ(report.pass_throughs, 0) << t;
+        at += thread.progress(2) * (next - at);
+    }
+    double foremost = 0;
+    for (const Vec3& p : thread.nodes()) foremost = std::max(foremost, p.y());
+    EXPECT_GT(at.y(), 0) << "the bar came through the place where the thread lay";
+    EXPECT_GT(foremost, at.y() + bar);
 }
