@@ -38,7 +38,8 @@ struct Tied {
     bool good() const { return pass_throughs == 0 && !changed(); }
 };
 
-/// The same seed gives the same bits. An elastic thread may slip a loop over an end that a hand holds, and change its name. `each` sees the thread after every tick, and where it is held or would be.
+/// The same seed gives the same bits. `each` sees the thread after every tick, and where it is held or would be. An elastic thread may
+/// slip a loop over an end that a hand holds, and change its name.
 using EachTick = std::function<void(const sim::thread::Thread&, int first, int last)>;
 Tied ties(std::uint64_t seed, const EachTick& each = {}, bool elastic = false);
 

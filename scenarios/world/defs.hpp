@@ -17,7 +17,6 @@ struct ThreadDef {
     double length = 0.150;                 ///< [m]
     double young_modulus = 2.8e9;          ///< [Pa] along the thread,
     double bending_share = 1;              ///< and what of it counts in bending.
-    double gravity = 0;                    ///< [m/s^2] along -z; of an elastic thread alone.
     double density = 905;                  ///< [kg/m^3]
     double break_force = 1.96;             ///< [N] USP minimum average knot-pull.
     double friction = 0.15;                ///< Coulomb, thread on thread and on vessel.

@@ -19,8 +19,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
     }
     sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link};
     if (def.model == "elastic")
-        thread.elastic = {.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .axial_over_bending = 0, .keeps_shape = true,
-                          .gravity = {0, 0, -def.gravity}};
+        thread.elastic = {.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .axial_over_bending = 0, .keeps_shape = true};
     return {thread, sim::thread::resample(path, def.links)};
 }
 

@@ -9,13 +9,6 @@ namespace sim::thread {
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-static double longest_asked(const State& state) {
-    double asked = 0;
-    for (std::size_t h = 0; h < state.input.holds.size(); ++h) asked = std::max(asked, (state.input.holds[h].target - state.hold_from[h]).norm());
-    for (const MovingCapsule& c : state.input.capsules) asked = std::max({asked, (c.to.a - c.from.a).norm(), (c.to.b - c.from.b).norm()});
-    return asked;
-}
-
 static void look(State& state, double way) {
     look_around(state, way);
     measure_gaps(state, way);
@@ -67,19 +60,12 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
-// What share of their motion that is left tools may make before we look again: none goes farther than the thread beside it leaves room
-// for, or by the thread's radius where it touches.
-static double share_of_tools(const State& state, double left) {
-    double share = 1;
-    const auto limit = [&](double way, double room) { if (way * left * share > room) share = room / (way * left); };
-    for (const MovingCapsule& c : state.input.capsules)
-        limit(std::max((c.to.a - c.from.a).norm(), (c.to.b - c.from.b).norm()), std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius));
-    for (const Contact& c : state.contacts) {
-        if (c.against != Against::capsule) continue;
-        const MovingCapsule& tool = state.input.capsules[at(c.other)];
-        limit((tool.to.a - tool.from.a + c.place * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).norm(), std::max(state.def.radius, c.gap - c.thickness));
-    }
-    return share;
+// What share of the motion that is left tools may make before we look again.
+static double share_of_tools(const State& state, double left, const Motion& motion) {
+    double share = std::min(left, unseen_room(state) / motion.of_capsules);
+    for (const Contact& c : state.contacts)
+        if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
+    return share / left;
 }
 
 static void set_progress(State& state, double progress) {
@@ -88,14 +74,14 @@ static void set_progress(State& state, double progress) {
 }
 
 // Tools first, as far as they may go, then the thread, and what it holds with it. Returns what is left of the tick's motion.
-static double step(State& state, double left, double asked, TickReport& report) {
+static double step(State& state, double left, const Motion& motion, TickReport& report) {
     Rod& rod = *state.rod;
-    const double way = std::max(0.5 * state.def.radius, left * asked);
+    const double way = std::max(0.5 * state.def.radius, left * motion.most());
     state.before = state.nodes;
     state.capsules_before = state.capsules;
     look(state, way);
-    const double tools = share_of_tools(state, left);
-    if (!state.capsules.empty()) {
+    const double tools = share_of_tools(state, left, motion);
+    if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
         state.moved += largest_capsule_move(state);
         look(state, way);
@@ -105,7 +91,7 @@ static double step(State& state, double left, double asked, TickReport& report) 
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : state.targets) hold.target = state.nodes[at(hold.node)] + tools * (hold.target - state.nodes[at(hold.node)]);
     rod.find_free_step(state.targets, state.pairs, state.touching);
-    report.iterations += solve_presses(state);
+    report.sweeps += solve_presses(state);
     add_changes(state);
     const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
@@ -114,24 +100,18 @@ static double step(State& state, double left, double asked, TickReport& report) 
     return left;
 }
 
-TickReport elastic_tick(State& state, const TickInput& input) {
-    TickReport report;
+void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr int most_steps = 8;
-    const double asked = longest_asked(state);
-    state.rod->begin({.holds = input.holds, .loads = input.loads, .turn = {}, .tolerance = {}}, input.seconds);
+    Rod& rod = *state.rod;
+    rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
     double left = 1;
-    for (int i = 0; i < most_steps && left > 0 && !(i > 0 && state.rod->is_taut()); ++i) {
-        left = step(state, left, asked, report);
+    for (int i = 0; i < most_steps && left > 0 && !(i > 0 && rod.is_taut()); ++i) {
+        left = step(state, left, motion, report);
         end_step(state, report);
     }
-    state.rod->end();
-    report.fraction = 1 - left;
-    for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = state.rod->tension(k);
-    report.stretch_max = worst_stretch(state, state.nodes);
-    aim(state);
-    for (const Row& row : state.rows)
-        if (row.against == Against::thread) report.separation_min = std::min(report.separation_min, row.distance / (2 * state.def.radius));
-    return report;
+    rod.end();
+    for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = rod.tension(k);
+    aim(state);  // to where they are now
 }
 
 }  // namespace sim::thread

@@ -121,7 +121,6 @@ void Rod::try_share(double share) {
 void Rod::take_trial(double share) {
     for (std::size_t k = 0; k < rest_.size(); ++k) now_.tension[k] += share * (foreseen_[k] - now_.tension[k]);
     accept(trial_);
-    leads_ = false;
 }
 
 // Nodes along the Newton step, half as far again and again until the energy does not rise.
@@ -133,10 +132,11 @@ double Rod::go() {
     double downhill = 0;
     for (std::size_t i = 0; i < newton_.size(); ++i) downhill += newton_[i].dot(force_[i]);
     foresee_tensions();
+    const double before = energy(now_.nodes, links_);
     double share = std::min(1.0, most_turn / largest);
     for (int half = 0; half < halvings; ++half, share *= 0.5) {
         try_share(share);
-        if (!leads_ && share * downhill > noise * std::abs(energy_) && !(energy(trial_, tried_) <= energy_)) continue;
+        if (share * downhill > noise * std::abs(before) && !(energy(trial_, tried_) <= before)) continue;
         take_trial(share);
         return share;
     }
@@ -250,7 +250,7 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
     accept(trial_);
     find_touches(input.bodies);
     touching_.clear();
-    leads_ = false;
+    due_.clear();
     RodReport report;
     while (!is_settled(report) && report.iterations < most && improve()) ++report.iterations;
     settle_touches();
@@ -277,7 +277,6 @@ void Rod::begin(const RodInput& input, double seconds) {
 }
 
 void Rod::lead(std::span<const Hold> targets) {
-    leads_ = !targets.empty();
     due_.assign(now_.nodes.size(), Vec3::Zero());
     for (const Hold& hold : targets) due_[static_cast<std::size_t>(hold.node)] = hold.target - now_.nodes[static_cast<std::size_t>(hold.node)];
 }

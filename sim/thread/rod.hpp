@@ -140,6 +140,7 @@ class Rod {
     double improve();
     void spread_between_held(std::vector<Vec3>& x) const;
     double largest_turn() const;
+    double share_within_pull() const;
     void foresee_tensions();
     void try_share(double share);
     void take_trial(double share);
@@ -167,16 +168,14 @@ class Rod {
     } now_;
 
     // Of the step that is being made.
-    std::vector<Vec3> start_, due_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
+    std::vector<Vec3> due_;                // ways of held nodes, where there are any [m]
+    std::vector<Vec3> start_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;
-    double share_within_pull() const;
-
     bool is_taut_ = false;
-    bool leads_ = false;                   // held nodes are due to go somewhere
     double inertia_ = 0;                   // [1/s^2]
     std::vector<MovingCapsule> bodies_;
-    double seconds_ = 0, tolerance_ = 0, energy_ = 0;
+    double seconds_ = 0, tolerance_ = 0;
     std::vector<Link> links_, tried_;
     std::vector<int> touching_;
     std::vector<double> foreseen_, lengths_, pivot_, upper_, shorten_;

@@ -129,16 +129,15 @@ void Rod::assemble(Keep keep, std::span<const Pair> pairs) {
     spread_to_nodes();
     add_contact();
     add_pairs(pairs);
-    energy_ = energy(now_.nodes, links_);  // what is dragged with is known now
     if (turn_) {
         if (keep == Keep::whole) add_twist();
         find_twist_gradient();
         for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] -= twist_moment() * gradient_[i];
     }
-    if (leads_) answer_.assign(now_.nodes.size(), Vec3::Zero());
+    answer_.assign(now_.nodes.size(), Vec3::Zero());
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
         if (!held_[i]) continue;
-        if (leads_) matrix_.lead(i, due_[i], answer_);
+        if (!due_.empty()) matrix_.lead(i, due_[i], answer_);
         matrix_.fix(i);
         if (turn_) gradient_[i].setZero();
     }
@@ -158,14 +157,15 @@ Rod::Keep Rod::factor() {
 
 // Twist is one number for all nodes, so it adds a matrix of rank one (Sherman and Morrison).
 void Rod::find_newton_step() {
-    newton_ = force_;
-    if (leads_)
-        for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] += answer_[i];
-    for (std::size_t i = 0; i < newton_.size(); ++i)
-        if (held_[i]) newton_[i] = leads_ ? due_[i] : Vec3::Zero();
+    newton_.resize(force_.size());
+    const auto stay_held = [&] {
+        for (std::size_t i = 0; i < newton_.size(); ++i)
+            if (held_[i]) newton_[i] = due_.empty() ? Vec3::Zero().eval() : due_[i];
+    };
+    for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] = force_[i] + answer_[i];
+    stay_held();
     matrix_.solve(newton_);
-    for (std::size_t i = 0; i < newton_.size(); ++i)
-        if (held_[i]) newton_[i] = leads_ ? due_[i] : Vec3::Zero();  // whatever was added to the diagonal
+    stay_held();  // whatever was added to the diagonal
     if (!turn_) return;
     spread_ = gradient_;
     matrix_.solve(spread_);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -221,7 +222,17 @@ Substep attempt(State& state, double way, Answer answer, Effort effort);
 void place_capsules(State& state);
 /// Of any capsule's end, since capsules_before [m].
 double largest_capsule_move(const State& state);
-TickReport elastic_tick(State& state, const TickInput& input);
+/// The longest way that a held node, and a tool part, is asked to go in this tick [m].
+struct Motion {
+    double of_holds = 0, of_capsules = 0;
+    double most() const { return std::max(of_holds, of_capsules); }
+};
+/// How far a tool part that was out of reach may go: as near as its reach, no nearer, before we look again [m] (tick.cpp).
+double unseen_room(const State& state);
+/// What share of its motion in this tick the tool of a contact may make: into the thread by no more than the thread's radius.
+double share_beside(const State& state, const Contact& c);
+/// All of a tick but what is told of it, for an elastic thread (elastic.cpp).
+void elastic_tick(State& state, const Motion& motion, TickReport& report);
 /// Rows that press, or may come to in this step, `presses`, `pairs` and `touching` (press.cpp).
 void find_presses(State& state);
 /// The pushes of all together with the rod, whose step with the pushes as they were is known; returns how many sweeps that took.

@@ -58,8 +58,7 @@ struct TickReport {
     double separation_min = 1e300;  ///< Smallest centre-line distance of non-neighbour links / diameter after the tick.
     double step_over_bound = 0;     ///< Largest move of a node in a substep over its bound; at most 1.
     int pass_throughs = 0;          ///< Found by the audit, in any substep, through thread, capsules or surface.
-    int iterations = 0;             ///< Newton steps, elastic only,
-    double residual = 0;            ///< and the largest force at a node that they left unbalanced [N].
+    int sweeps = 0;                 ///< Over contacts until their pushes stood still; elastic only.
     bool not_finite = false;        ///< Input was not finite; the tick was not taken.
 };
 

@@ -12,7 +12,7 @@ bool is_finite(const TickInput& input) {
         if (!hold.target.allFinite()) return false;
     for (const MovingCapsule& c : input.capsules)
         if (!(c.from.a.allFinite() && c.from.b.allFinite() && c.to.a.allFinite() && c.to.b.allFinite())) return false;
-    return true;
+    return std::all_of(input.loads.begin(), input.loads.end(), [](const Vec3& load) { return load.allFinite(); });
 }
 
 // Tools are numbered from 0; what nobody holds is -1.
@@ -64,12 +64,6 @@ void collect_asked(State& state, const Movers& movers) {
         if (movers.include(c.owner)) state.asked.insert(state.asked.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
 }
 
-// The longest way that a held node, and a tool part, is asked to go in this tick [m].
-struct Motion {
-    double of_holds = 0, of_capsules = 0;
-    double most() const { return std::max(of_holds, of_capsules); }
-};
-
 Motion longest_asked(const State& state) {
     Motion motion;
     for (std::size_t i = 0; i < state.asked.size(); ++i) {
@@ -89,17 +83,10 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     double share = 1;
     for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
         share = std::min(share, for_following * state.bound[i] / (std::clamp(state.following[i], 0.25, 1.0) * motion.of_holds));
-    // A tool part that was out of reach may come as near as its reach, no nearer, before we look again.
-    const double unseen = std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius);
-    if (motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
-    for (const Contact& c : state.contacts) {
-        if (c.against != Against::capsule) continue;
-        const MovingCapsule& tool = state.input.capsules[static_cast<std::size_t>(c.other)];
-        if (!movers.include(tool.owner)) continue;
-        const double way = (tool.to.a - tool.from.a + c.place * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).norm();
-        const double room = std::max(state.def.radius, c.gap - c.thickness);
-        if (way * share > room) share = room / way;
-    }
+    if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
+    for (const Contact& c : state.contacts)
+        if (c.against == Against::capsule && movers.include(state.input.capsules[static_cast<std::size_t>(c.other)].owner))
+            share = std::min(share, share_beside(state, c));
     return share;
 }
 
@@ -249,18 +236,8 @@ void move(State& state, const Movers& movers, int may_cost, TickReport& report) 
     }
 }
 
-}  // namespace
-
-TickReport tick(State& state, const TickInput& input) {
-    TickReport report;
-    if (!is_finite(input)) {
-        report.not_finite = true;
-        report.fraction = 0;
-        state.progress.assign(groups_of(input), 0);
-        return report;
-    }
-    begin(state, input);
-    if (state.rod) return elastic_tick(state, input);
+// Tools and thread together, or one tool after the other.
+void follow_tools(State& state, TickReport& report) {
     // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls. But
     // what is unfinished is finished first.
     const std::size_t groups = state.progress.size();
@@ -276,8 +253,35 @@ TickReport tick(State& state, const TickInput& input) {
     for (int pace = 0; pace <= (groups > 1 ? static_cast<int>(groups) : 0); ++pace)
         if (state.unfinished.pace < 0 || state.unfinished.pace == pace)
             move(state, movers_of(pace), pace > 0 || goes_well ? most_work : most_work / 2, report);
+}
+
+}  // namespace
+
+double unseen_room(const State& state) { return std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius); }
+
+double share_beside(const State& state, const Contact& c) {
+    const MovingCapsule& tool = state.input.capsules[static_cast<std::size_t>(c.other)];
+    const double way = (tool.to.a - tool.from.a + c.place * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).norm();
+    return std::max(state.def.radius, c.gap - c.thickness) / way;
+}
+
+TickReport tick(State& state, const TickInput& input) {
+    TickReport report;
+    if (!is_finite(input)) {
+        report.not_finite = true;
+        report.fraction = 0;
+        state.progress.assign(groups_of(input), 0);
+        return report;
+    }
+    begin(state, input);
+    if (state.rod) {
+        collect_asked(state, {0, state.progress.size(), 0});
+        elastic_tick(state, longest_asked(state), report);
+    } else {
+        follow_tools(state, report);
+        estimate_tension(state);
+    }
     report.fraction = *std::min_element(state.progress.begin(), state.progress.end());
-    estimate_tension(state);
     report.stretch_max = worst_stretch(state, state.nodes);
     for (const Row& row : state.rows)
         if (row.against == Against::thread) report.separation_min = std::min(report.separation_min, row.distance / (2 * state.def.radius));
