@@ -73,30 +73,42 @@ void add_laws(Suite& suite) {
     add("scaled-1e-3-apart", "a thousandth as large: apart", apart(plain, shape(1e-3, false)), 1e-6);
 }
 
-// Capstan: sliding in two ticks and two links, held below what slides and let go above it.
-void add_capstan(Suite& suite, bool quick) {
-    constexpr double degree = std::numbers::pi / 180;
-    for (const double wrap : quick ? std::vector{1.0} : std::vector{0.5, 2.0, 4.0})
+// Who is drawn over a cylinder: the rod alone, or as a thread.
+struct Drawn {
+    const char *id, *what;
+    Compared (*ratio)(double friction, double wrap, double turn, double tick);
+    double (*slides)(double friction, double wrap, double turn, double share);
+    double most_creep;  ///< In a second [D].
+};
+
+std::string whole(double value) { return std::to_string(std::lround(value)); }
+
+constexpr double half_turn = std::numbers::pi, degree = std::numbers::pi / 180;
+
+void add_capstan_ratio(Suite& suite, const Drawn& drawn, double half_turns, double friction, int turn, double tick) {
+    const double begin = processor_time(), phi = half_turns * half_turn, theta = turn * degree;
+    const Compared found = drawn.ratio(friction, phi, theta, tick);
+    const std::string wrap = whole(2 * half_turns), mu = whole(10 * friction), ms = whole(1000 * tick);
+    suite.rows.push_back({.id = drawn.id + ("-" + wrap) + "-mu" + mu + "-turn" + std::to_string(turn) + "-tick" + ms,
+        .what = drawn.what + (", " + wrap) + " quarter turns, friction 0." + mu + ", links of " + std::to_string(turn) + " degrees, ticks of " + ms + " ms: error of the ratio",
+        .value = 100 * std::abs(found.error()), .unit = "%", .bound = 5, .error = 100 * std::abs(found.found / capstan_of_nodes(friction, phi, theta) - 1),
+        .seconds = processor_time() - begin});
+}
+
+void add_capstan_holds(Suite& suite, const Drawn& drawn, double friction) {
+    const std::string mu = whole(10 * friction), id = drawn.id, what = drawn.what + (", one half turn, friction 0." + mu) + ": moved in a second at ";
+    const auto moved = [&](double share) { return drawn.slides(friction, half_turn, 10 * degree, share); };
+    suite.rows.push_back({.id = id + "-holds-mu" + mu, .what = what + "95 % of what slides", .value = moved(0.95), .unit = "D", .bound = drawn.most_creep, .error = {}});
+    suite.rows.push_back({.id = id + "-slides-mu" + mu, .what = what + "105 %", .value = moved(1.05), .unit = "D", .bound = 1, .must = Must::be_at_least, .error = {}});
+}
+
+// Sliding in two ticks and two links, held below what slides and let go above it.
+void add_capstan(Suite& suite, const Drawn& drawn, bool quick) {
+    for (const double half_turns : quick ? std::vector{1.0} : std::vector{0.5, 2.0, 4.0})
         for (const double friction : {0.1, 0.2, 0.3})
             for (const int turn : {10, 20})
-                for (const double tick : {1e-3, 4e-3}) {
-                    const double begin = processor_time(), phi = wrap * std::numbers::pi, theta = turn * degree;
-                    const Compared found = rod_capstan(friction, phi, theta, tick);
-                    const std::string id = "capstan-" + std::to_string(std::lround(2 * wrap)) + "-mu" + std::to_string(std::lround(10 * friction)) + "-turn" +
-                                           std::to_string(turn) + "-tick" + std::to_string(std::lround(1000 * tick));
-                    suite.rows.push_back({.id = id, .what = "capstan, " + std::to_string(std::lround(2 * wrap)) + " half turns, friction 0." + std::to_string(std::lround(10 * friction)) +
-                        ", links of " + std::to_string(turn) + " degrees, ticks of " + std::to_string(std::lround(1000 * tick)) + " ms: error of the ratio",
-                        .value = 100 * std::abs(found.error()), .unit = "%", .bound = 5, .error = 100 * std::abs(found.found / capstan_of_nodes(friction, phi, theta) - 1),
-                        .seconds = processor_time() - begin});
-                }
-    for (const double friction : {0.1, 0.3}) {
-        const std::string mu = std::to_string(std::lround(10 * friction));
-        const double phi = std::numbers::pi, theta = 10 * degree;
-        const std::string what = "one half turn, friction 0." + mu + ": moved in a second at ";
-        suite.rows.push_back({.id = "capstan-holds-mu" + mu, .what = what + "95 % of what slides", .value = rod_slides(friction, phi, theta, 0.95), .unit = "D", .bound = 1e-4, .error = {}});
-        suite.rows.push_back({.id = "capstan-slides-mu" + mu, .what = what + "105 %", .value = rod_slides(friction, phi, theta, 1.05), .unit = "D", .bound = 1,
-            .must = Must::be_at_least, .error = {}});
-    }
+                for (const double tick : {1e-3, 4e-3}) add_capstan_ratio(suite, drawn, half_turns, friction, turn, tick);
+    for (const double friction : {0.1, 0.3}) add_capstan_holds(suite, drawn, friction);
 }
 
 // 200 links of D of a suture under its own weight, one end held, the other led to and fro; no contact.
@@ -162,8 +174,10 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
         if (progress) progress(c.what);
         add_case(suite, c, resolutions);
     }
-    if (progress) progress("capstan");
-    add_capstan(suite, quick);
+    for (const Drawn& drawn : {Drawn{"capstan", "capstan", rod_capstan, rod_slides, 1e-4}, Drawn{"elastic-capstan", "elastic thread, capstan", elastic_capstan, elastic_slides, 0.1}}) {
+        if (progress) progress(drawn.what);
+        add_capstan(suite, drawn, quick);
+    }
     add_laws(suite);
     for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
     if (progress) progress("elastic overhand pulls");

@@ -90,7 +90,7 @@ static double step(State& state, double left, const Motion& motion, TickReport& 
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : state.targets) hold.target = state.nodes[at(hold.node)] + tools * (hold.target - state.nodes[at(hold.node)]);
-    rod.find_free_step(state.targets, state.pairs, state.touching);
+    rod.find_free_step(state.targets, state.pairs, state.rolling, state.touching);
     report.sweeps += solve_presses(state);
     add_changes(state);
     const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);

@@ -26,6 +26,24 @@ static const Row* pressed_before(const State& state, const Row& row) {
 
 static double contact_stiffness(const State& state) { return state.rod->def().contact_stiffness(state.rest[0]); }
 
+static Vec3 along(const Vec3& a, const Vec3& b) { return (b - a).normalized(); }
+
+// Two lines d apart at an angle b that both turn by a towards each other are d a^2 / (1 - |cos b|) nearer at most, and touch so much
+// farther along: no farther than from the middle of a link to its end.
+static void add_rolling(State& state, const Row& row) {
+    if (row.against == Against::surface) return;
+    const auto end = [&](int link) { return state.nodes[at(link) + 1]; };
+    const bool strand = row.against == Against::thread;
+    const Capsule other = strand ? Capsule{state.nodes[at(row.other)], end(row.other), 0} : state.capsules[at(row.other)];
+    const double cosine = std::abs(along(state.nodes[at(row.link)], end(row.link)).dot(along(other.a, other.b)));
+    const auto roll = [&](int link, double s) {
+        const double arm = std::min(row.distance / (1 - cosine), 0.5 * state.rest[at(link)]);
+        if (s > 0 && s < 1) state.rolling.push_back({link, row.normal, row.normal_push * arm});
+    };
+    roll(row.link, row.s);
+    if (strand) roll(row.other, row.t);
+}
+
 static void add_press(State& state, Row& row) {
     const Row* const before = pressed_before(state, row);
     const double near = 0.1 * 2 * state.def.radius;  // no step takes strands that far into each other before they are seen
@@ -44,12 +62,15 @@ static void add_press(State& state, Row& row) {
         const Vec3 drag = before->tangent_push - before->tangent_push.dot(row.normal) * row.normal;
         press.rest += drag / contact_stiffness(state);
         press.push = press.pair.force = before->normal_push * row.normal + drag;
+        row.normal_push = before->normal_push;
+        add_rolling(state, row);
     }
     state.presses.push_back(press);
 }
 
 void find_presses(State& state) {
     state.presses.clear();
+    state.rolling.clear();
     state.touching.clear();
     for (Row& row : state.rows) add_press(state, row);
     state.pairs.clear();

@@ -296,10 +296,10 @@ double Rod::improve() {
 
 // Nothing of how forces turn with the nodes but what stiffens: pressed by others a rod balances in many shapes in which it alone would
 // not.
-void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const int> touching) {
+void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling, std::span<const int> touching) {
     lead(targets);
     touching_.assign(touching.begin(), touching.end());
-    assemble(Keep::positive, pairs);
+    assemble(Keep::positive, pairs, rolling);
     matrix_.factor();
     find_newton_step();
 }

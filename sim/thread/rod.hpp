@@ -32,6 +32,13 @@ struct Pair {
     Vec3 force = Vec3::Zero();          ///< On what has positive weight [N].
 };
 
+/// A link that rolls on what it is pressed against: turning it towards the normal moves where it touches, and that turns it back.
+struct Rolling {
+    int link;
+    Vec3 normal;
+    double moment;                      ///< For a turn by 1 rad [N m].
+};
+
 /// What a step came to.
 struct RodReport {
     int iterations = 0;         ///< Newton steps.
@@ -58,7 +65,7 @@ class Rod {
     void begin(const RodInput& input, double seconds);
     /// The step to where it and these forces balance to first order, with held nodes going to `targets`. `touching`: nodes whose
     /// answers to forces are asked for, increasing and each beside another one.
-    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const int> touching);
+    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling, std::span<const int> touching);
     /// Its touching_inverse() is what a unit force on touching nodes moves them by [m/N].
     ChainMatrix& matrix() { return matrix_; }
     /// The step so far [m].
@@ -123,7 +130,7 @@ class Rod {
     Vec3 along_rod(Vec3 across, const std::vector<Vec3>& x) const;
     double twist_at(const std::vector<Vec3>& x) const;
     double energy(const std::vector<Vec3>& x, std::vector<Link>& links);
-    void assemble(Keep keep, std::span<const Pair> pairs = {});
+    void assemble(Keep keep, std::span<const Pair> pairs = {}, std::span<const Rolling> rolling = {});
     void add_stretch(Keep keep);
     void add_bending(Keep keep);
     ChainMatrix::Block cross(std::size_t link) const;
@@ -131,6 +138,7 @@ class Rod {
     void add_twist();
     void find_twist_gradient();
     void add_pairs(std::span<const Pair> pairs);
+    void add_rolling(std::span<const Rolling> rolling);
     Keep factor();
     void find_newton_step();
     double unbalanced() const;

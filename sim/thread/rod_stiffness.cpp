@@ -120,7 +120,15 @@ void Rod::add_pairs(std::span<const Pair> pairs) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(pair.nodes); ++k) force_[static_cast<std::size_t>(pair.node[k])] += pair.weight[k] * pair.force;
 }
 
-void Rod::assemble(Keep keep, std::span<const Pair> pairs) {
+void Rod::add_rolling(std::span<const Rolling> rolling) {
+    for (const Rolling& roll : rolling) {
+        const std::size_t i = static_cast<std::size_t>(roll.link);
+        const Block turning = roll.moment / (links_[i].length * links_[i].length) * roll.normal * roll.normal.transpose();
+        matrix_.add(i, i, turning), matrix_.add(i, i + 1, -turning), matrix_.add(i + 1, i + 1, turning);
+    }
+}
+
+void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     matrix_.clear(now_.nodes.size(), touching_);
     measure(now_.nodes, links_);
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
@@ -129,6 +137,7 @@ void Rod::assemble(Keep keep, std::span<const Pair> pairs) {
     spread_to_nodes();
     add_contact();
     add_pairs(pairs);
+    add_rolling(rolling);
     if (turn_) {
         if (keep == Keep::whole) add_twist();
         find_twist_gradient();

@@ -159,6 +159,7 @@ struct State {
     std::optional<Rod> rod;            ///< Of an elastic thread.
     std::vector<int> touching;         ///< Scratch of it,
     std::vector<Press> presses;
+    std::vector<Rolling> rolling;
     std::vector<Pair> pairs;
     std::vector<Hold> targets;
     std::vector<Vec3> forces;
