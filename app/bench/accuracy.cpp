@@ -6,6 +6,7 @@
 
 #include "app/bench/core.hpp"
 #include "app/bench/gauge.hpp"
+#include "app/bench/loose_overhand.hpp"
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
 #include "app/bench/shape.hpp"
@@ -178,6 +179,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
         if (progress) progress(drawn.what);
         add_capstan(suite, drawn, quick);
     }
+    if (progress) progress("loose overhands");
+    for (const Row& row : loose_overhand_rows(quick)) suite.rows.push_back(row);
     add_laws(suite);
     for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
     if (progress) progress("elastic overhand pulls");

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "app/bench/capstan.hpp"
 #include "app/bench/laws.hpp"
+#include "app/bench/loose_overhand.hpp"
 
 // The laws of the thread as the benchmark measures them, in short versions. A bound that `carrel bench stability` reports as
 // missed is not asserted here.
@@ -28,6 +30,14 @@ TEST(Laws, ATightOverhandIsNoSmallerThanAnIdealOne) {
         EXPECT_GE(found.least, 10);
         EXPECT_LT(found.in_the_end, 13) << "not tightened";
     }
+}
+
+// The law holds as eps goes to 0 and is off by about 1.2 eps; here eps is 0.09.
+TEST(Laws, ALooseOverhandOfTheElasticThreadIsDrawnAsItsBendingAndFrictionSay) {
+    const LooseOverhand smooth{.loop = 120}, rough{.loop = 120, .friction = 0.1};
+    const double pull = drawn_with(smooth), dragged = drawn_with(rough);
+    EXPECT_LT(std::abs(pull / smooth.law() - 1), 0.15);
+    EXPECT_GT(dragged, 1.5 * pull);
 }
 
 // A knot that trembles between still hands would untie itself while the trainee thinks.
