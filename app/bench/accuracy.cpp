@@ -11,6 +11,7 @@
 #include "app/bench/rod_cases.hpp"
 #include "app/bench/shape.hpp"
 #include "app/bench/thread_rope.hpp"
+#include "app/bench/tight_elastic.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace app::bench {
@@ -181,6 +182,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     }
     if (progress) progress("loose overhands");
     for (const Row& row : loose_overhand_rows(quick)) suite.rows.push_back(row);
+    if (progress) progress("tight overhands");
+    for (const Row& row : tight_elastic_rows(quick)) suite.rows.push_back(row);
     add_laws(suite);
     for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
     if (progress) progress("elastic overhand pulls");

@@ -6,6 +6,7 @@
 #include "app/bench/capstan.hpp"
 #include "app/bench/laws.hpp"
 #include "app/bench/loose_overhand.hpp"
+#include "app/bench/tight_elastic.hpp"
 
 // The laws of the thread as the benchmark measures them, in short versions. A bound that `carrel bench stability` reports as
 // missed is not asserted here.
@@ -30,6 +31,14 @@ TEST(Laws, ATightOverhandIsNoSmallerThanAnIdealOne) {
         EXPECT_GE(found.least, 10);
         EXPECT_LT(found.in_the_end, 13) << "not tightened";
     }
+}
+
+// Links of half its thickness; strands that keep a twentieth clear of each other make an ideal knot's 10.1 to 10.6.
+TEST(Laws, ATightOverhandOfTheElasticThreadIsNoSmallerThanAnIdealOne) {
+    const TightElastic found = tight_elastic(0.5, 0.15);
+    EXPECT_GE(found.least, 10);
+    EXPECT_LT(found.in_the_end, 11) << "not tightened";
+    EXPECT_EQ(found.pass_throughs, 0);
 }
 
 // The law holds as eps goes to 0 and is off by about 1.2 eps; here eps is 0.09.

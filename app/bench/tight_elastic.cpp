@@ -1,0 +1,85 @@
+#include "app/bench/tight_elastic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/bench/gauge.hpp"
+#include "app/bench/shape.hpp"
+#include "app/bench/stopwatch.hpp"
+#include "sim/thread/thread.hpp"
+
+namespace app::bench {
+
+namespace {
+
+using sim::thread::Hold;
+using sim::thread::Thread;
+using sim::thread::ThreadDef;
+
+constexpr double length = 100, pull_strain = 0.01;  // [D], [1]
+
+// Bent about a strand of its own it pulls back with less than a hundredth of what pulls it tight: B / R^2 at R of a diameter against
+// `pull_strain` of EA.
+ThreadDef limp(double friction) {
+    return {.friction = friction, .elastic = sim::thread::RodDef{.bending_share = 1e-3, .axial_over_bending = 0}};
+}
+
+double taken_up_by(const Thread& thread) {
+    const std::span<const Vec3> x = thread.nodes();
+    double along = 0;
+    for (std::size_t k = 0; k + 1 < x.size(); ++k) along += (x[k + 1] - x[k]).norm();
+    return (along - (x.back() - x.front()).norm()) / (2 * thread.def().radius);
+}
+
+// Either end goes out by so much along x [m], held so that it points there.
+int draw(Thread& thread, double by) {
+    const std::span<const Vec3> x = thread.nodes();
+    const int last = static_cast<int>(x.size()) - 1;
+    const auto held = [&](int node, double way) { return Hold{node, x[static_cast<std::size_t>(node)] + way * Vec3::UnitX()}; };
+    const Hold holds[] = {held(0, -by), held(1, -by), held(last - 1, by), held(last, by)};
+    constexpr int owners[] = {0, 0, 1, 1};
+    return thread.tick({holds, owners, {}, nullptr}).pass_throughs;
+}
+
+}  // namespace
+
+TightElastic tight_elastic(double link_in_diameters, double friction) {
+    constexpr int rest = 100, most_ticks = 2000;
+    constexpr double speed = 0.025;  // [D] in a tick
+    const ThreadDef def = limp(friction);
+    const double diameter = 2 * def.radius, link = link_in_diameters * diameter;
+    Thread thread(def, overhand(static_cast<int>(length / link_in_diameters), length * diameter));
+    const double tight = pull_strain * def.elastic->axial_stiffness(link);
+    const auto pull = [&] { return std::min(thread.tension()[1], thread.tension()[thread.tension().size() - 2]); };
+    TightElastic result{.in_the_end = NAN};
+    for (int i = 0; i < rest; ++i) result.pass_throughs += draw(thread, 0);
+    for (int i = 0; i < most_ticks && pull() < tight; ++i) {
+        result.pass_throughs += draw(thread, speed * diameter);
+        result.least = std::min(result.least, taken_up_by(thread));
+    }
+    if (pull() >= tight) result.in_the_end = taken_up_by(thread);
+    result.gap = Gauge(thread).gap(thread.nodes());
+    return result;
+}
+
+std::vector<Row> tight_elastic_rows(bool quick) {
+    // An ideal rope takes up 10.1 [surgery-and-physics.md, D11], links more for they are not a curve.
+    constexpr double ideal = 10.1, more = 1.05, never = 10;
+    std::vector<Row> rows;
+    for (const int pieces : quick ? std::vector{1, 2} : std::vector{1, 2, 4})
+        for (const double friction : {0.0, 0.15}) {
+            const Stopwatch watch;
+            const TightElastic found = tight_elastic(1.0 / pieces, friction);
+            const std::string id = "elastic-tight-overhand-link" + std::to_string(pieces) + (friction > 0 ? "-mu15" : "-mu0");
+            const std::string what = "elastic thread, tight open overhand, links of D/" + std::to_string(pieces) + (friction > 0 ? ", friction 0.15: " : ", no friction: ");
+            rows.push_back({.id = id, .what = what + "takes up", .value = found.in_the_end, .unit = "D", .bound = more * ideal, .error = {}, .seconds = watch.seconds()});
+            rows.push_back({.id = id + "-least", .what = what + "least at any time", .value = found.least, .unit = "D", .bound = never, .must = Must::be_at_least, .error = {}});
+            rows.push_back({.id = id + "-gap", .what = what + "how far apart its strands' centre lines are", .value = found.gap, .unit = "D", .bound = {}, .error = {}});
+            rows.push_back({.id = id + "-by-gap", .what = what + "takes up, over that", .value = found.in_the_end / found.gap, .unit = "ratio", .bound = {}, .error = {}});
+            rows.push_back({.id = id + "-passes", .what = what + "pass-throughs", .value = static_cast<double>(found.pass_throughs), .unit = "count", .bound = 0, .error = {}});
+        }
+    return rows;
+}
+
+}  // namespace app::bench
