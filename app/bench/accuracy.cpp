@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/clasp.hpp"
 #include "app/bench/core.hpp"
 #include "app/bench/gauge.hpp"
 #include "app/bench/loose_overhand.hpp"
@@ -182,8 +183,9 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     }
     if (progress) progress("loose overhands");
     for (const Row& row : loose_overhand_rows(quick)) suite.rows.push_back(row);
-    if (progress) progress("tight overhands");
+    if (progress) progress("tight overhands and clasps");
     for (const Row& row : tight_elastic_rows(quick)) suite.rows.push_back(row);
+    for (const Row& row : clasp_rows(quick)) suite.rows.push_back(row);
     add_laws(suite);
     for (const double speed : {0.03, 0.3}) add_speed(suite, speed);
     if (progress) progress("elastic overhand pulls");

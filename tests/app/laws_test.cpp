@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/bench/capstan.hpp"
+#include "app/bench/clasp.hpp"
 #include "app/bench/laws.hpp"
 #include "app/bench/loose_overhand.hpp"
 #include "app/bench/tight_elastic.hpp"
@@ -38,6 +39,14 @@ TEST(Laws, ATightOverhandOfTheElasticThreadIsNoSmallerThanAnIdealOne) {
     const TightElastic found = tight_elastic(0.5, 0.15);
     EXPECT_GE(found.least, 10);
     EXPECT_LT(found.in_the_end, 11) << "not tightened";
+    EXPECT_EQ(found.pass_throughs, 0);
+}
+
+// The critical clasp takes up 4.263 of the distance that its strands keep.
+TEST(Laws, ATightClaspOfTheElasticThreadTakesUpWhatTheCriticalOneDoes) {
+    const Clasp found = clasp(0.25);
+    EXPECT_NEAR(found.excess / found.gap, 4.263, 0.03 * 4.263);
+    EXPECT_NEAR(found.gap, 1, 0.05);
     EXPECT_EQ(found.pass_throughs, 0);
 }
 
