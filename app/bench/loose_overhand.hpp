@@ -14,8 +14,9 @@ struct LooseOverhand {
 
     double eps() const;      ///< sqrt(h / R).
     /// F h^2 / B to lowest order in eps, where B is the bending stiffness: eps^4 / 2 + 0.492 friction eps^3. The first is a circle that
-    /// gives way, B / (2 R^2); the second what drags where the strands press on each other, over a length that goes with sqrt(h R), by
-    /// B h / (h R)^(3/2) in all [Audoly, Clauvelin and Neukirch 2007; its number is for the single overhand].
+    /// gives way, B / (2 R^2). The second is what drags where the strands press on each other: over a length that goes with sqrt(h R),
+    /// by B h / (h R)^(3/2) in all; its number is a single overhand's [Audoly, Clauvelin and Neukirch 2007, by surgery-and-physics.md
+    /// D9, which has eps^5; forces scale as eps^3, and so does what is measured].
     double law() const;
 };
 
