@@ -6,6 +6,7 @@
 
 #include "app/bench/core.hpp"
 #include "app/bench/gauge.hpp"
+#include "app/bench/incline.hpp"
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
 #include "app/bench/shape.hpp"
@@ -183,6 +184,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     if (progress) progress("elastic overhand pulls");
     for (const double friction : {0.0, 0.2}) add_pull(suite, 200, friction);
     if (!quick) add_pull(suite, 400, 0.2);
+    if (progress) progress("elastic thread on inclines");
+    for (const Row& row : incline_rows(quick)) suite.rows.push_back(row);
     return suite;
 }
 
