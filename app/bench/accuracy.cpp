@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/bench/core.hpp"
+#include "app/bench/crossing.hpp"
 #include "app/bench/gauge.hpp"
 #include "app/bench/incline.hpp"
 #include "app/bench/rod_capstan.hpp"
@@ -186,6 +187,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     if (!quick) add_pull(suite, 400, 0.2);
     if (progress) progress("elastic thread on inclines");
     for (const Row& row : incline_rows(quick)) suite.rows.push_back(row);
+    if (progress) progress("elastic thread across itself");
+    for (const Row& row : crossing_rows(quick)) suite.rows.push_back(row);
     return suite;
 }
 

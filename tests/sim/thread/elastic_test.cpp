@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/crossing.hpp"
 #include "app/bench/incline.hpp"
 #include "app/bench/shape.hpp"
 #include "sim/knot/namer.hpp"
@@ -132,6 +133,17 @@ TEST(Elastic, SlidesDownAnInclineOnlyWhereItMust) {
             EXPECT_LT(std::abs(app::bench::incline_acceleration({.friction = friction, .share = 1.02, .link = 1, .tick = seconds}).error()), 0.01);
             EXPECT_LT(app::bench::incline_drift({.friction = friction, .share = 0.98, .link = 1, .tick = seconds}, 2), 0.1);
         }
+}
+
+// Two arms that lie across each other share a load as two beams do, wherever along their links they touch.
+TEST(Elastic, LiftsWhatLiesAcrossItAsBeamsDo) {
+    for (const bool at_nodes : {true, false}) {
+        SCOPED_TRACE(at_nodes);
+        const app::bench::Crossed found = app::bench::cross({20, at_nodes}, 0.1);
+        EXPECT_LT(std::abs(found.lift.error()), 0.01);
+        EXPECT_LT(std::abs(found.force.error()), 0.01);
+        EXPECT_LT(found.drift, 0.001);
+    }
 }
 
 // Past taut the hands wait: no link is stretched by more than a tenth.
