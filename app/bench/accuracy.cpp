@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/bends.hpp"
 #include "app/bench/core.hpp"
 #include "app/bench/crossing.hpp"
 #include "app/bench/gauge.hpp"
@@ -189,6 +190,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     for (const Row& row : incline_rows(quick)) suite.rows.push_back(row);
     if (progress) progress("elastic thread across itself");
     for (const Row& row : crossing_rows(quick)) suite.rows.push_back(row);
+    if (progress) progress("elastic bends and loops");
+    for (const Row& row : bend_rows(quick)) suite.rows.push_back(row);
     return suite;
 }
 
