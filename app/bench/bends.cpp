@@ -93,6 +93,8 @@ struct Pulling {
     double run_in() const { return std::max(tight[0] - tail(0), tight[1] - tail(1)); }
     bool slipped() const { return run_in() > 20; }
 
+    double apart() const { return (thread.nodes()[at(start.right)] - thread.nodes()[at(start.left)]).norm() / diameter; }
+
     static constexpr double diameter = 2 * sim::thread::ThreadDef{}.radius;
     RodDef rod;
     BendThread start;
@@ -125,16 +127,19 @@ Pulled pull_bend(const Bend& bend, const BendPull& pull) {
     return {most, most / bears, pulling.pass_throughs};
 }
 
-double tail_pull_needed(const Bend& bend, const BendPull& pull) {
-    constexpr int ticks = 1000, settle = 500;
+LetGo let_go(const Bend& bend, const BendPull& pull) {
+    constexpr int ticks = 1000, free = 2000;
+    constexpr double most = 20;  // [D]
     Pulling pulling(bend, pull);
     pulling.tighten(pull.tails);
-    for (int t = 1; t <= ticks + settle; ++t) {
-        const double left = pull.tails * std::max(0.0, 1 - static_cast<double>(t) / ticks);
+    const double before = pulling.apart();
+    double left = pull.tails, run_in = 0;
+    for (int t = 1; t <= ticks + free && run_in < most; ++t) {
+        left = pull.tails * std::max(0.0, 1 - static_cast<double>(t) / ticks);
         pulling.tick(pull.tails, left);
-        if (pulling.slipped()) return left;
+        run_in = pulling.apart() - before;  // whatever way free tails swing
     }
-    return 0;
+    return {left, run_in};
 }
 
 }  // namespace app::bench

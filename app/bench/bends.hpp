@@ -51,9 +51,12 @@ struct Pulled {
 };
 Pulled pull_bend(const Bend& bend, const BendPull& pull);
 
-/// Pulled by all four ends alike, then tails are let go of, evenly in a second: the pull on them at which one has run in by twenty
-/// diameters, 0 where they hold without any.
-double tail_pull_needed(const Bend& bend, const BendPull& pull);
+/// Pulled by all four ends alike, then tails are let go of, evenly in a second.
+struct LetGo {
+    double needed;                  ///< Pull on the tails at which both together had run in by twenty diameters; 0 where not before they were free.
+    double run_in;                  ///< How far they have, two seconds after they were free [D]; 20 where it was not waited for.
+};
+LetGo let_go(const Bend& bend, const BendPull& pull);
 
 std::vector<Row> bend_rows(bool quick);
 

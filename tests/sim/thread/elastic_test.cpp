@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/bends.hpp"
 #include "app/bench/crossing.hpp"
 #include "app/bench/incline.hpp"
 #include "app/bench/shape.hpp"
@@ -144,6 +145,16 @@ TEST(Elastic, LiftsWhatLiesAcrossItAsBeamsDo) {
         EXPECT_LT(std::abs(found.force.error()), 0.01);
         EXPECT_LT(found.drift, 0.001);
     }
+}
+
+// What they are is what they are called, and the tails of a reef may be let go of farther than those of a grief knot.
+TEST(Elastic, ReefHoldsWhereGriefSlips) {
+    using app::bench::Bend;
+    const Bend reef{"reef", true, false}, thief{"thief", true, true}, granny{"granny", false, false}, grief{"grief", false, true};
+    for (const Bend& bend : {reef, thief}) EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#m3_1") << bend.words;
+    for (const Bend& bend : {granny, grief}) EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#3_1") << bend.words;
+    const app::bench::BendPull pull{.friction = 0.2, .bending_share = 0.02, .tails = 15};
+    EXPECT_GT(app::bench::let_go(grief, pull).needed, app::bench::let_go(reef, pull).needed);
 }
 
 // Past taut the hands wait: no link is stretched by more than a tenth.
