@@ -111,7 +111,7 @@ struct Pulling {
 // Pulled no harder while a tail runs in: then a slow ramp and a slower one come to the same.
 Pulled pull_bend(const Bend& bend, const BendPull& pull) {
     constexpr double mean_of = 20, creeping = 0.005, ramp = 6000;  // ticks; D a tick
-    constexpr int most_ticks = 20000;
+    constexpr int most_ticks = 20000;  // what has run in all that time has slipped
     Pulling pulling(bend, pull);
     pulling.tighten(pull.tails);
     const double bears = pulling.bears(), more = std::pow(bears / pull.tails, 1 / ramp);
