@@ -78,7 +78,8 @@ struct Pulling {
         const auto way = [&](int link) { return std::clamp(give * (standing_pull - pulled(link)), -0.1 * diameter, 0.1 * diameter) * Vec3::UnitX(); };
         const Vec3 l = -way(start.left - 1), r = way(start.right);
         const auto x = thread.nodes();
-        const Hold holds[] = {{start.left, x[at(start.left)] + l}, {start.left + 1, x[at(start.left + 1)] + l}, {start.right, x[at(start.right)] + r}, {start.right - 1, x[at(start.right - 1)] + r}};
+        const auto by = [&](int node, const Vec3& go) { return Hold{node, x[at(node)] + go}; };
+        const Hold holds[] = {by(start.left, l), by(start.left + 1, l), by(start.right, r), by(start.right - 1, r)};
         constexpr int owners[] = {0, 0, 1, 1};
         pass_throughs += thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = 1e-3, .loads = loads}).pass_throughs;
     }

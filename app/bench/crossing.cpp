@@ -82,7 +82,10 @@ Crossed cross(const Crossing& crossing, double seconds) {
     Thread thread({.friction = 0, .elastic = RodDef{.axial_over_bending = 0}}, brackets.nodes);
     const std::vector<int> owners(brackets.holds(0).size(), -1);
     const auto run = [&](int from, int to) {
-        for (int t = from; t < to; ++t) thread.tick({.holds = brackets.holds(overlap * std::min(1.0, (t + 1.0) / lowered_in)), .hold_owners = owners, .capsules = {}, .seconds = tick});
+        for (int t = from; t < to; ++t) {
+            const std::vector<Hold> holds = brackets.holds(overlap * std::min(1.0, (t + 1.0) / lowered_in));
+            thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = tick});
+        }
     };
     run(0, rested_in);
     const auto pair = nearest(thread, brackets);
