@@ -4,9 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/bends.hpp"
 #include "app/bench/clasp.hpp"
 #include "app/bench/core.hpp"
+#include "app/bench/crossing.hpp"
 #include "app/bench/gauge.hpp"
+#include "app/bench/incline.hpp"
 #include "app/bench/loose_overhand.hpp"
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
@@ -191,6 +194,12 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     if (progress) progress("elastic overhand pulls");
     for (const double friction : {0.0, 0.2}) add_pull(suite, 200, friction);
     if (!quick) add_pull(suite, 400, 0.2);
+    if (progress) progress("elastic thread on inclines");
+    for (const Row& row : incline_rows(quick)) suite.rows.push_back(row);
+    if (progress) progress("elastic thread across itself");
+    for (const Row& row : crossing_rows(quick)) suite.rows.push_back(row);
+    if (progress) progress("elastic bends and loops");
+    for (const Row& row : bend_rows(quick)) suite.rows.push_back(row);
     return suite;
 }
 

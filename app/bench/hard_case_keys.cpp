@@ -48,7 +48,8 @@ Shape start() {
 }
 
 Shape thread() {
-    return group({{"radius_mm", quantity(1e-4, 10, "mm"), false, 0.0425},
+    return group({{"model", choice({"ftl", "elastic"}), false, "ftl"},
+                  {"radius_mm", quantity(1e-4, 10, "mm"), false, 0.0425},
                   {"friction", quantity(0, 10), false, 0.15},
                   {"friction_tool", quantity(0, 10), false, 0.15},
                   {"axial_stiffness_N", quantity(1e-6, 1e9, "N"), false, 15.9},

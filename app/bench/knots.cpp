@@ -47,17 +47,6 @@ constexpr double out = 6, up = 2;
 
 std::vector<Vec3> tied_open(const std::vector<sim::knot::Throw>& throws) { return tied(throws, {{0, 0, -6}}, {out, 0, up}); }
 
-// Even pieces, each vertex drawn towards its neighbours' middle again and again: corners become bends.
-std::vector<Vec3> rounded(const std::vector<Vec3>& corners, int times, int pieces = 160) {
-    std::vector<Vec3> path = sim::thread::resample(corners, pieces), before;
-    for (int k = 0; k < times; ++k) {
-        before = path;
-        for (std::size_t i = 1; i < static_cast<std::size_t>(pieces); ++i) path[i] = 0.5 * before[i] + 0.25 * (before[i - 1]
-            + before[i + 1]);
-    }
-    return path;
-}
-
 }  // namespace
 
 const std::array<KnownKnot, 8> known_knots{{{Knot::trefoil, "trefoil", "3_1"},
@@ -70,6 +59,16 @@ const std::array<KnownKnot, 8> known_knots{{{Knot::trefoil, "trefoil", "3_1"},
                                             {Knot::bowline, "bowline", "m6_2"}}};
 
 const KnownKnot& known(Knot knot) { return known_knots[static_cast<std::size_t>(knot)]; }
+
+std::vector<Vec3> rounded(const std::vector<Vec3>& corners, int times, int pieces) {
+    std::vector<Vec3> path = sim::thread::resample(corners, pieces), before;
+    for (int k = 0; k < times; ++k) {
+        before = path;
+        for (std::size_t i = 1; i < static_cast<std::size_t>(pieces); ++i) path[i] = 0.5 * before[i] + 0.25 * (before[i - 1]
+            + before[i + 1]);
+    }
+    return path;
+}
 
 std::vector<Vec3> loose(Knot knot) {
     constexpr int corners = 24, of_a_table = 8;

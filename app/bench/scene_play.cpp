@@ -145,7 +145,7 @@ Trace play(const Scene& scene) {
     const int ticks = static_cast<int>(std::ceil(scene.duration / scene.tick - rounding));
     for (int tick = 1; tick <= ticks; ++tick) {
         stage.ask(thread, tick * scene.tick);
-        const auto report = thread.tick({stage.holds, stage.owners, stage.capsules, scene.surface.empty() ? nullptr : &surface});
+        const auto report = thread.tick({stage.holds, stage.owners, stage.capsules, scene.surface.empty() ? nullptr : &surface, scene.tick});
         stage.answer(thread, report);
         trace.frames.push_back(frame_of(thread, stage, report));
     }

@@ -108,7 +108,7 @@ void Rod::spread_to_nodes() {
         }
         if (i + 1 < n) crossing = cross(i);
         Block at_node = own_before + own - cross_before - cross_before.transpose();
-        at_node.diagonal().array() += softest_ + inertia_ * mass_[i];
+        at_node.diagonal().array() += std::max(softest_, inertia_ * mass_[i]);  // more than inertia would be drag
         put(matrix_.column(3 * i), at_node, cross_before - own + crossing, -crossing);
         own_before = own, cross_before = crossing;
     }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/bench/bends.hpp"
+#include "app/bench/crossing.hpp"
+#include "app/bench/incline.hpp"
 #include "app/bench/shape.hpp"
 #include "sim/knot/namer.hpp"
 #include "sim/thread/thread.hpp"
@@ -104,6 +107,54 @@ TEST(Elastic, HoldCarriesWhatHangs) {
     }
     const double weight = 9.81 * def.elastic->mass_per_length() * (60 - 0.5) * 5e-4;  // half of the first link hangs on the held node itself
     EXPECT_NEAR(thread.tension().front(), weight, 1e-3 * weight);
+}
+
+// What keeps a step of Newton's method solvable where nothing holds a thread must not slow its fall.
+TEST(Elastic, FallsAsStonesDo) {
+    constexpr double g = 9.81;
+    for (const double link : {1.0, 4.0})
+        for (const double seconds : {1e-3, 2e-3}) {
+            ThreadDef def = elastic(0);
+            def.elastic->gravity = {0, 0, -g};
+            std::vector<Vec3> nodes;
+            for (int i = 0; i <= 10; ++i) nodes.emplace_back(link * thickness * i, 0, 0);
+            Thread thread(def, nodes);
+            constexpr int ticks = 5;  // to 2.3 D a tick: no thread is let go faster than 3 D a tick
+            for (int t = 0; t < ticks; ++t) thread.tick({{}, {}, {}, nullptr, seconds});
+            const double fallen = g * seconds * seconds * ticks * (ticks + 1) / 2;  // of implicit Euler
+            for (const Vec3& p : thread.nodes()) EXPECT_NEAR(-p.z(), fallen, 1e-4 * fallen) << link << ' ' << seconds;
+        }
+}
+
+// Coulomb's law for a thread of which every link touches a wall: a fiftieth above what slides it is on its way, a fiftieth below it stays.
+TEST(Elastic, SlidesDownAnInclineOnlyWhereItMust) {
+    for (const double friction : {0.1, 0.3})
+        for (const double seconds : {1e-3, 4e-3}) {
+            SCOPED_TRACE(testing::Message() << friction << ' ' << seconds);
+            EXPECT_LT(std::abs(app::bench::incline_acceleration({.friction = friction, .share = 1.02, .link = 1, .tick = seconds}).error()), 0.01);
+            EXPECT_LT(app::bench::incline_drift({.friction = friction, .share = 0.98, .link = 1, .tick = seconds}, 2), 0.1);
+        }
+}
+
+// Two arms that lie across each other share a load as two beams do, wherever along their links they touch.
+TEST(Elastic, LiftsWhatLiesAcrossItAsBeamsDo) {
+    for (const bool at_nodes : {true, false}) {
+        SCOPED_TRACE(at_nodes);
+        const app::bench::Crossed found = app::bench::cross({20, at_nodes}, 0.1);
+        EXPECT_LT(std::abs(found.lift.error()), 0.01);
+        EXPECT_LT(std::abs(found.force.error()), 0.01);
+        EXPECT_LT(found.drift, 0.001);
+    }
+}
+
+// What they are is what they are called, and the tails of a reef may be let go of farther than those of a grief knot.
+TEST(Elastic, ReefHoldsWhereGriefSlips) {
+    using app::bench::Bend;
+    const Bend reef{"reef", true, false}, thief{"thief", true, true}, granny{"granny", false, false}, grief{"grief", false, true};
+    for (const Bend& bend : {reef, thief}) EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#m3_1") << bend.words;
+    for (const Bend& bend : {granny, grief}) EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#3_1") << bend.words;
+    const app::bench::BendPull pull{.friction = 0.2, .bending_share = 0.02, .tails = 15};
+    EXPECT_GT(app::bench::let_go(grief, pull).needed, app::bench::let_go(reef, pull).needed);
 }
 
 // Past taut the hands wait: no link is stretched by more than a tenth.
