@@ -167,7 +167,7 @@ const Shape& drill_shape() {
                {"description", words("For people.")},
                {"thread", thread(), true},
                {"vessels", list("What is operated on.", 0, 16, vessel()), false, json::array()},
-               {"instruments", list("The tools, at most one a hand.", 1, 2, instrument()), true},
+               {"instruments", list("The tools: one a hand, of the one who ties and of an assistant.", 1, 4, instrument()), true},
                {"effects", effects(), false, json::object()},
                {"goals", list("At most one in this version.", 0, 1, goal()), false, json::array()},
                {"bands", bands(), false, json::object()},

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/press.hpp"
 
 // A tick of an elastic thread: one implicit step in which the rod and all that it touches are linear, a step of Newton's method; what
 // that leaves is taken up by the next tick. Where a node has used up what it may move before we look around again, the rest of the
@@ -15,20 +15,22 @@ static void look(State& state, double way) {
     aim(state);
 }
 
-// The largest share of the step that leaves every node within its bound, and no contact's points farther along each other than links see
-// straight.
+// The largest share of the step that leaves every node within its bound, no contact's points farther along each other than links see
+// straight, and what was too far to push just touching.
 static double share_within_bounds(const State& state) {
     constexpr double for_lengths = 0.9, for_turning = 0.3;
     const double most = for_turning * 2 * state.def.radius;
     const std::span<const Vec3> step = state.rod->step_found();
     double share = 1;
-    const auto limit = [&](const Vec3& way, double to) { if (const double size = way.norm(); size * share > to) share = to / size; };
-    for (std::size_t i = 0; i < step.size(); ++i) limit(step[i], for_lengths * state.bound[i]);
+    const auto limit = [&](double size, double to) { if (size > to) share = std::min(share, to / size); };
+    for (std::size_t i = 0; i < step.size(); ++i) limit(step[i].norm(), for_lengths * state.bound[i]);
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
         if (press.push.squaredNorm() > 0 && press.row->against == Against::thread)
-            limit(Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - apart_of(state, *press.row), most);
+            limit((Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - apart_of(state, *press.row)).norm(), most);
     }
+    for (const Row& row : state.rows)
+        if (is_far(state, row)) limit(-way_of(state, row).dot(row.normal), row.distance - row.target);
     return share;
 }
 

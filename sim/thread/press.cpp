@@ -1,7 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/press.hpp"
 
 // What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it, against how the
 // points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
@@ -44,35 +44,69 @@ static void add_rolling(State& state, const Row& row) {
     if (strand) roll(row.other, row.t);
 }
 
+bool is_far(const State& state, const Row& row) { return row.distance > row.target + 0.1 * 2 * state.def.radius; }
+
+static double place_of(const State& state, int link, double s) { return state.arc[at(link)] + s * state.rest[at(link)]; }
+
+// Links that meet in a node touch what is there both, and a link many small triangles of a wall: rows within a radius of each other that
+// face the same way say the same.
+static bool says_the_same(const State& state, const Row& a, const Row& b) {
+    constexpr double same_way = 0.94;
+    const auto near = [&](double p, double q) { return std::abs(p - q) < state.def.radius; };
+    return a.against == b.against && a.normal.dot(b.normal) > same_way && near(place_of(state, a.link, a.s), place_of(state, b.link, b.s)) &&
+           (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
+}
+
+static Press* said_already(State& state, const Row& row) {
+    const auto known = std::find_if(state.presses.begin(), state.presses.end(), [&](const Press& press) { return says_the_same(state, *press.row, row); });
+    return known == state.presses.end() ? nullptr : &*known;
+}
+
+static void press_as_before(Press& press, const Row& before) {
+    const Vec3& n = press.row->normal;
+    press.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
+}
+
 static void add_press(State& state, Row& row) {
     const Row* const before = pressed_before(state, row);
-    const double near = 0.1 * 2 * state.def.radius;  // no step takes strands that far into each other before they are seen
-    if (!before && row.distance > row.target + near) return;
-    Press press{&row, {}};
-    const Vec3 across = row.start - row.start.dot(row.normal) * row.normal;
-    // Out of a tool or a wall at once, strands apart as fast as leaves them room.
-    press.rest = (row.against == Against::thread ? row.target : row.thickness) * row.normal + across;
+    if (!before && is_far(state, row)) return;
+    if (Press* const known = said_already(state, row)) {
+        if (before) press_as_before(*known, *before);
+        return;
+    }
+    Press& press = state.presses.emplace_back(&row);
     add_node(state, press.pair, row.link, 1 - row.s);
     add_node(state, press.pair, row.link + 1, row.s);
     if (row.against == Against::thread) {
         add_node(state, press.pair, row.other, row.t - 1);
         add_node(state, press.pair, row.other + 1, -row.t);
     }
-    if (before) {
-        const Vec3 drag = before->tangent_push - before->tangent_push.dot(row.normal) * row.normal;
-        press.rest += drag / contact_stiffness(state);
-        press.push = press.pair.force = before->normal_push * row.normal + drag;
-        row.normal_push = before->normal_push;
-        add_rolling(state, row);
-    }
-    state.presses.push_back(press);
+    if (before) press_as_before(press, *before);
+}
+
+// Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.
+static void set_rest(State& state, Press& press) {
+    Row& row = *press.row;
+    row.normal_push = press.push.dot(row.normal);
+    press.pair.force = press.push;
+    press.rest = row.start + ((row.against == Against::thread ? row.target : row.thickness) - row.start.dot(row.normal)) * row.normal +
+                 (press.push - row.normal_push * row.normal) / contact_stiffness(state);
+    if (row.normal_push > 0) add_rolling(state, row);
+}
+
+static void sort_by_distance(State& state) {
+    state.nearest_rows.clear();
+    for (Row& row : state.rows) state.nearest_rows.push_back(&row);
+    std::sort(state.nearest_rows.begin(), state.nearest_rows.end(), [](const Row* a, const Row* b) { return a->distance != b->distance ? a->distance < b->distance : a < b; });
 }
 
 void find_presses(State& state) {
     state.presses.clear();
     state.rolling.clear();
     state.touching.clear();
-    for (Row& row : state.rows) add_press(state, row);
+    sort_by_distance(state);
+    for (Row* row : state.nearest_rows) add_press(state, *row);
+    for (Press& press : state.presses) set_rest(state, press);
     state.pairs.clear();
     for (const Press& press : state.presses) {
         state.pairs.push_back(press.pair);
@@ -85,7 +119,7 @@ void find_presses(State& state) {
 }
 
 // How far the points of each move apart for a unit push at each other.
-static Eigen::Map<Table::Matrix> measure_responses(State& state) {
+static Responses measure_responses(State& state) {
     ChainMatrix& matrix = state.rod->matrix();
     const auto inverse = matrix.touching_inverse();
     std::vector<Press>& presses = state.presses;
@@ -129,22 +163,23 @@ static void measure_own(Press& press, const Mat3& responses, double give) {
     press.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
 }
 
-// Where the step takes the points of all.
-static void find_apart(State& state) {
+Vec3 way_of(const State& state, const Row& row) {
     const std::span<const Vec3> step = state.rod->step_found();
     const auto way = [&](int link, double s) { return Vec3((1 - s) * step[at(link)] + s * step[at(link + 1)]); };
+    return row.against == Against::thread ? Vec3(way(row.link, row.s) - way(row.other, row.t)) : way(row.link, row.s);
+}
+
+// Where the step takes the points of all.
+static void find_apart(State& state) {
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Row& row = *state.presses[c].row;
-        Vec3 apart = apart_of(state, row) + way(row.link, row.s);
-        if (row.against == Against::thread) apart -= way(row.other, row.t);
+        const Vec3 apart = apart_of(state, row) + way_of(state, row);
         std::copy_n(apart.data(), 3, state.apart.data() + 3 * c);
     }
 }
 
-using Responses = Eigen::Map<Table::Matrix>;
-
 // Pushes contact c by so much more. Written out: Eigen rounds what lies before the first aligned place otherwise than the rest.
-static void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more) {
+void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more) {
     state.presses[c].push += more;
     const double* const x = responses.row(axes(c)).data();
     const double* const y = responses.row(axes(c) + 1).data();
@@ -184,14 +219,9 @@ static double gained(const State& state) {
 
 // Gauss and Seidel alone gain a little less each time where many work against each other; what each sweep gains is carried on as by
 // nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so that no push leaves its cone.
-int solve_presses(State& state) {
+static int sweep_until_still(State& state, const Responses& responses) {
     constexpr double enough = 1e-5;  // of all pushes, by a sweep: with a hundred times that a loaded knot creeps on by its thickness every half second
     constexpr int most_sweeps = 60;
-    if (state.presses.empty()) return 0;
-    const Responses responses = measure_responses(state);
-    state.apart.resize(3 * state.presses.size());
-    find_apart(state);
-    for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)), 1 / contact_stiffness(state));
     double last = 0;
     for (int sweeps = 1;; ++sweeps) {
         for (Press& press : state.presses) press.before = press.push;
@@ -200,6 +230,17 @@ int solve_presses(State& state) {
         carry_on(state, responses, now < last ? now / last : 0);
         last = now;
     }
+}
+
+int solve_presses(State& state) {
+    if (state.presses.empty()) return 0;
+    const Responses responses = measure_responses(state);
+    state.apart.resize(3 * state.presses.size());
+    find_apart(state);
+    for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)), 1 / contact_stiffness(state));
+    const int sweeps = sweep_until_still(state, responses);
+    part_presses(state, responses);
+    return sweeps;
 }
 
 }  // namespace sim::thread

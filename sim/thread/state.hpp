@@ -62,6 +62,8 @@ struct PushedRow {
 
 /// A contact of an elastic thread during one step.
 struct Press {
+    explicit Press(Row* of) : row(of) {}
+
     Row* row;
     Pair pair;                      ///< Where it acts, and its push as the step began.
     Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
@@ -164,7 +166,10 @@ struct State {
     std::vector<Hold> targets;
     std::vector<Vec3> forces;
     std::vector<double> apart;         ///< Of the points of all presses, from the other's to the link's, as the step has it [m].
-    Table press_moves, press_responses;
+    Table press_moves, press_responses, press_across;
+    std::vector<Row*> nearest_rows;      ///< Scratch.
+    std::vector<int> pushing, wrong;     ///< Scratch: presses, in their order.
+    std::vector<double> push_change;
     std::vector<Row> pressed;          ///< What pressed when its last step ended; pushes in newtons.
 
     LinkTree tree;

@@ -1,0 +1,23 @@
+#pragma once
+#include "sim/thread/state.hpp"
+
+namespace sim::thread {
+
+/// How far apart a unit push at each contact moves the points of every other [m/N]: three rows and columns for each of State::presses.
+using Responses = Eigen::Map<Table::Matrix>;
+
+/// Whether a row is too far off to push in the next step, which leaves it just touching at most.
+bool is_far(const State& state, const Row& row);
+
+/// How far the step that was found takes a row's points apart, were it for the nodes alone.
+Vec3 way_of(const State& state, const Row& row);
+
+/// Pushes contact c by `more` [N] than it does, and moves the points of all.
+void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more);
+
+/// Where sweeps left a contact a hundredth of a thickness nearer than it would be: what all push across, to rounding, with what they drag
+/// as it is but within its cone.
+/// Block principal pivoting [Judice and Pires 1994] from the contacts that push now; a Cholesky factorisation of those for each change.
+void part_presses(State& state, const Responses& responses);
+
+}  // namespace sim::thread
