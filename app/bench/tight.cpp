@@ -15,6 +15,7 @@ Tight tight(double link_in_diameters, double friction, double speed, double leng
     Tight result;
     result.least = tighten(thread, pull, speed, most_ticks);
     result.in_the_end = taken_up(thread);
+    result.cost = pull.cost;
     return result;
 }
 
