@@ -8,8 +8,11 @@ namespace app::bench {
 
 namespace {
 
-// Pixels: a chart's plot, and the room around it for figures and titles.
-constexpr double width = 260, height = 220, left = 85, bottom = 50, gap = 15;
+// Pixels: the room around a chart's plot for figures and titles, and the plot, twice as large where it is the only one.
+constexpr double left = 85, bottom = 50, gap = 15;
+struct Plot {
+    double width, height, top;  // names of series go above the top
+};
 constexpr const char* colours[] = {"#1b6ca8", "#c2571a", "#3a7d44", "#7a4fa3", "#a3293d", "#5b5b5b"};
 
 std::string figure(double value) {
@@ -60,10 +63,10 @@ Axis decades_of(const std::vector<double>& logarithms) {
     return {std::floor(axis.low), std::ceil(axis.high)};
 }
 
-// Draws one chart with its plot's upper left corner at (x0, top); names of series go above it.
+// Draws one chart with its plot's upper left corner at (x0, plot.top).
 class Drawing {
   public:
-    Drawing(const Chart& chart, double x0, double top) : chart_(chart), x0_(x0), top_(top) {
+    Drawing(const Chart& chart, double x0, const Plot& plot) : chart_(chart), x0_(x0), plot_(plot) {
         std::vector<double> xs, ys;
         for (const Series& series : chart.series)
             for (const Point& p : series.points)
@@ -73,7 +76,7 @@ class Drawing {
     }
 
     std::string drawn() {
-        out_ += "<rect x=\"" + px(x0_) + "\" y=\"" + px(top_) + "\" width=\"" + px(width) + "\" height=\"" + px(height) +
+        out_ += "<rect x=\"" + px(x0_) + "\" y=\"" + px(plot_.top) + "\" width=\"" + px(plot_.width) + "\" height=\"" + px(plot_.height) +
                 "\" fill=\"none\" stroke=\"#333\"/>\n";
         draw_axes();
         for (std::size_t i = 0; i < chart_.series.size(); ++i) draw(chart_.series[i], i);
@@ -81,13 +84,13 @@ class Drawing {
     }
 
   private:
-    double x(double value) const { return x0_ + width * x_axis_.share(std::log10(value)); }
-    double y(double value) const { return top_ + height * (1 - y_axis_.share(along_y(value))); }
+    double x(double value) const { return x0_ + plot_.width * x_axis_.share(std::log10(value)); }
+    double y(double value) const { return plot_.top + plot_.height * (1 - y_axis_.share(along_y(value))); }
     double along_y(double value) const { return chart_.log_y ? std::log10(value) : value; }
     bool is_drawn(const Point& p) const { return p.x > 0 && std::isfinite(p.x) && std::isfinite(along_y(p.y)); }
 
     void draw_axes() {
-        const double under = top_ + height;
+        const double under = plot_.top + plot_.height;
         for (double decade = x_axis_.low; decade <= x_axis_.high; ++decade) {
             const double at = x(std::pow(10, decade));
             out_ += line(at, under, at, under + 5) + text(at, under + 18, "middle", figure(std::pow(10, decade)));
@@ -97,9 +100,9 @@ class Drawing {
             const double value = chart_.log_y ? std::pow(10, at) : at;
             out_ += line(x0_ - 5, y(value), x0_, y(value)) + text(x0_ - 8, y(value) + 4, "end", figure(value));
         }
-        out_ += text(x0_ + width / 2, under + 38, "middle", chart_.x_title);
-        const std::string centre = px(x0_ - 62) + " " + px(top_ + height / 2);
-        out_ += text(x0_ - 62, top_ + height / 2, "middle", chart_.y_title, " transform=\"rotate(-90 " + centre + ")\"");
+        out_ += text(x0_ + plot_.width / 2, under + 38, "middle", chart_.x_title);
+        const std::string centre = px(x0_ - 62) + " " + px(plot_.top + plot_.height / 2);
+        out_ += text(x0_ - 62, plot_.top + plot_.height / 2, "middle", chart_.y_title, " transform=\"rotate(-90 " + centre + ")\"");
     }
 
     void draw(const Series& series, std::size_t number) {
@@ -115,12 +118,13 @@ class Drawing {
                          " font-size=\"9\" fill=\"" + colour + "\"");
         }
         out_ += "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\"" + (series.dashed ? " stroke-dasharray=\"5 3\"" : "") + "/>\n";
-        const double row = top_ + 5 - 13 * static_cast<double>(chart_.series.size() - number);
-        out_ += text(x0_ + width, row, "end", series.name, " fill=\"" + colour + "\"");
+        const double row = plot_.top + 5 - 13 * static_cast<double>(chart_.series.size() - number);
+        out_ += text(x0_ + plot_.width, row, "end", series.name, " fill=\"" + colour + "\"");
     }
 
     const Chart& chart_;
-    double x0_, top_;
+    double x0_;
+    Plot plot_;
     Axis x_axis_, y_axis_;
     std::string out_;
 };
@@ -130,13 +134,15 @@ class Drawing {
 std::string svg(const std::vector<Chart>& charts) {
     std::size_t names = 0;
     for (const Chart& chart : charts) names = std::max(names, chart.series.size());
-    const double pitch = left + width + gap, top = 7 + 13 * static_cast<double>(names);
+    const double large = charts.size() == 1 ? 2 : 1;
+    const Plot plot{260 * large, 220 * large, 7 + 13 * static_cast<double>(names)};
+    const double pitch = left + plot.width + gap;
     const std::string size = "width=\"" + px(pitch * static_cast<double>(charts.size()) + gap) + "\" height=\"" +
-                             px(top + height + bottom) + "\"";
+                             px(plot.top + plot.height + bottom) + "\"";
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size +
                       " font-family=\"sans-serif\" font-size=\"12\" fill=\"#333\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-    for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left + pitch * static_cast<double>(i), top).drawn();
+    for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left + pitch * static_cast<double>(i), plot).drawn();
     return out + "</svg>\n";
 }
 

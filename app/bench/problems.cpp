@@ -45,8 +45,8 @@ Compared loose_overhand(double friction, const Setting& s, Cost& cost) {
 }
 
 // Loops of two throws in polypropylene. No theory knows the forces, but that the square knot holds better.
-Compared square_over_granny(const Setting& s, Cost& cost) {
-    const BendPull pull{.friction = 0.2, .bending_share = 1, .tails = 0.1, .link = s.link, .tick = s.tick, .elastic = s.elastic};
+Compared square_over_granny(double friction, const Setting& s, Cost& cost) {
+    const BendPull pull{.friction = friction, .bending_share = 1, .tails = 0.1, .link = s.link, .tick = s.tick, .elastic = s.elastic};
     const Pulled square = pull_bend({"square knot", true, false}, pull), granny = pull_bend({"granny knot", false, false}, pull);
     cost = square.cost;
     return {square.force / granny.force, 1};
@@ -60,6 +60,7 @@ std::vector<Problem> problems() {
     const std::vector ticks{4e-3, 1e-3, 0.25e-3};
     const auto capstan_of = [](double wrap) { return [=](const Setting& s, Cost& cost) { return round_cylinder(wrap, s, cost); }; };
     const auto loose = [](double friction) { return [=](const Setting& s, Cost& cost) { return loose_overhand(friction, s, cost); }; };
+    const auto knots = [](double friction) { return [=](const Setting& s, Cost& cost) { return square_over_granny(friction, s, cost); }; };
     return {{"capstan-half", "capstan, half a turn, friction 0.2: ratio of pulls", lengths, {2, 1, 0.5}, ticks, capstan_of(pi)},
             {"capstan-one", "capstan, one turn, friction 0.2: ratio of pulls", lengths, {2, 1, 0.5}, ticks, capstan_of(2 * pi)},
             {"cantilever", "cantilever, 10 B/L2 at its tip: drop of the tip", count, {20, 40, 80}, ticks, cantilever},
@@ -67,7 +68,8 @@ std::vector<Problem> problems() {
             {"loose-overhand", "loose overhand of 480 radii, no friction: pull that draws it tight", round, {60, 120, 240}, ticks, loose(0)},
             {"rough-overhand", "loose overhand of 480 radii, friction 0.1: pull that draws it tight", round, {60, 120, 240}, ticks, loose(0.1)},
             {"tight-overhand", "tight overhand, friction 0.15: what it takes up", lengths, {1, 0.5, 0.25}, ticks, tight_overhand},
-            {"square-granny", "square over granny knot, friction 0.2: ratio of forces at which they slip", lengths, {1.4, 1, 0.7}, {4e-3, 1e-3}, square_over_granny, true}};
+            {"square-granny-mu1", "square over granny knot, friction 0.1: ratio of forces at which they slip", lengths, {1.4, 1, 0.7}, {4e-3, 1e-3}, knots(0.1), true},
+            {"square-granny-mu2", "square over granny knot, friction 0.2: ratio of forces at which they slip", lengths, {1.4, 1, 0.7}, {4e-3, 1e-3}, knots(0.2), true}};
 }
 
 std::vector<RodCase> still_problems() {

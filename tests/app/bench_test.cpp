@@ -159,9 +159,9 @@ TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
         values[row["id"]] = row["value"];
         EXPECT_GE(values[row["id"]], 0) << row.dump();
     }
-    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-", "loose-overhand-", "rough-overhand-", "tight-overhand-", "square-granny-"})
+    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-", "loose-overhand-", "rough-overhand-", "tight-overhand-", "square-granny-mu1-", "square-granny-mu2-"})
         for (const std::string thread : {"ftl-", "elastic-"})
-            for (const std::string figure : {problem == "square-granny-" ? "-found" : "-error", "-cost"}) {
+            for (const std::string figure : {problem.starts_with("square") ? "-found" : "-error", "-cost"}) {
                 const auto is_it = [&](const auto& row) { return row.first.starts_with(problem + thread) && row.first.ends_with(figure); };
                 EXPECT_EQ(std::count_if(values.begin(), values.end(), is_it), 1) << problem << thread << figure;
             }
@@ -169,7 +169,7 @@ TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
     EXPECT_GT(values.at("cantilever-ftl-link20-tick4-error"), 99);
     EXPECT_LT(values.at("ring-turn-rod-link40-error"), values.at("ring-turn-rod-link20-error"));
     EXPECT_LT(values.at("capstan-half-elastic-link2-tick4-error"), 5);  // of the ratio, as `carrel bench accuracy` asks
-    for (const std::string name : {"capstan-half", "square-granny", "helix-angle"})
+    for (const std::string name : {"capstan-half", "square-granny-mu2", "helix-angle"})
         EXPECT_TRUE(program::read(plots + "/" + name + ".svg").starts_with("<svg ")) << name;
 }
 
