@@ -10,14 +10,14 @@ import re
 import sys
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs/speed-vs-error.md"
-SETTING = re.compile(r"(.+)-(ftl|elastic|rod)-link(\d+)(?:-tick(\d+))?-(found|error|cost|sweeps)$")
+SETTING = re.compile(r"(.+)-(ftl|elastic|rod)-link(\d+)(?:-tick(\d+))?-(found|error|cost|links|sweeps)$")
 WORDS = re.compile(r"(.+); .+, links \((.+)\) ([\d.]+)(?:, ticks of ([\d.]+) ms)?: ")
 
 
 def short(value):
     if value is None:
         return "–"
-    return f"{value:.2g}" if abs(value) < 100 else f"{value:.0f}"
+    return f"{value:.2g}" if abs(value) < 99.5 else f"{value:.0f}"
 
 
 def settings_of(rows):
@@ -33,12 +33,13 @@ def settings_of(rows):
 
 def cell(measured):
     error = f"{short(measured['error'])} %" if "error" in measured else f"{measured['found']:.3g}"
-    return f"{error}, {short(measured['cost'])} ms"
+    links = f", {measured['links']:.0f} links" if "links" in measured else ""
+    return f"{error}, {short(measured['cost'])} ms{links}"
 
 
 def lines(problem, of):
     links = list(dict.fromkeys(link for by_link in of["by"].values() for link in by_link))
-    yield f"**{of['what'][0].upper() + of['what'][1:]}.** Links: {of['counts']}."
+    yield f"**{of['what'][0].upper() + of['what'][1:]}.** Columns: links, {of['counts']}."
     yield ""
     yield "| thread | tick [ms] | " + " | ".join(links) + " |"
     yield "|---|---|" + "---|" * len(links)

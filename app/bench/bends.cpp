@@ -62,6 +62,7 @@ struct Pulling {
     Pulling(const Bend& bend, const BendPull& pull)
         : rod{.bending_share = pull.bending_share, .axial_over_bending = 0}, start(bend, pull.link * diameter, 0.5 * diameter),
           last(static_cast<int>(start.nodes.size()) - 1), thread(thread_def(pull, rod), start.nodes), loads(start.nodes.size(), Vec3::Zero()), seconds(pull.tick) {
+        cost.links = last;
         out = {(start.nodes[0] - start.nodes[1]).normalized(), (start.nodes[at(last)] - start.nodes[at(last - 1)]).normalized()};
     }
 
@@ -93,10 +94,9 @@ struct Pulling {
 
     // All four ends alike, until it stands still.
     void tighten(double pull) {
-        constexpr double ramp = 0.3, longest = 1.5;  // [s]
-        const int ticks = ticks_in(longest, seconds);
+        const int ramp = ticks_in(0.3, seconds), ticks = ticks_in(1.5, seconds);
         for (int t = 1; t <= ticks; ++t) {
-            const double now = pull * std::min(1.0, t * seconds / ramp);
+            const double now = pull * std::min(1.0, static_cast<double>(t) / ramp);
             tick(now, now);
         }
         tight = {tail(0), tail(1)};
@@ -124,12 +124,12 @@ struct Pulling {
 
 // Pulled no harder while a tail runs in: then a slow ramp and a slower one come to the same.
 Pulled pull_bend(const Bend& bend, const BendPull& pull) {
-    constexpr double mean_of = 20, ramp = 6, longest = 20;  // ticks; [s]; [s]: what has run in all that time has slipped
-    const double creeping = 5 * pull.tick;                  // [D] in a tick
-    const int most_ticks = ticks_in(longest, pull.tick);
+    constexpr double mean_of = 20;                                         // ticks
+    const double creeping = 5 * pull.tick, ramp = ticks_in(6, pull.tick);  // [D] in a tick; ticks
+    const int most_ticks = ticks_in(20, pull.tick);                        // what has run in all that time has slipped
     Pulling pulling(bend, pull);
     pulling.tighten(pull.tails);
-    const double bears = pulling.bears(), more = std::pow(bears / pull.tails, pull.tick / ramp);
+    const double bears = pulling.bears(), more = std::pow(bears / pull.tails, 1 / ramp);
     double asked = pull.tails, now = asked, most = asked, running = 0, run_in = pulling.run_in();
     for (int t = 0; t < most_ticks && now < 0.99 * bears && !pulling.slipped(); ++t) {
         if (running < creeping) asked = std::min(asked * more, bears);

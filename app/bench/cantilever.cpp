@@ -45,6 +45,7 @@ struct Clamped {
 Compared cantilever(const Setting& setting, Cost& cost) {
     constexpr double seconds = 0.5, load = 10, elastica = 0.81061;
     Clamped c(setting, 1);
+    cost.links = c.last;
     const Hold clamp[] = {{0, c.nodes[0]}, {1, c.nodes[1]}};
     constexpr int owners[] = {0, 0};
     c.loads.back().z() = -load * c.unit();
@@ -56,6 +57,7 @@ Compared cantilever(const Setting& setting, Cost& cost) {
 Compared let_in(const Setting& setting, Cost& cost) {
     constexpr double seconds = 0.5, slack = 0.03, nudge = 0.1, helix = 0.9186;
     Clamped c(setting, 2);
+    cost.links = c.last;
     c.loads[static_cast<std::size_t>(c.last / 2)].z() = nudge * c.unit();
     const int ticks = ticks_in(seconds, c.tick);
     constexpr int owners[] = {0, 0, 1, 1};

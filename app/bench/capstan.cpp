@@ -121,6 +121,7 @@ Capstan capstan(const CapstanCase& c) {
     const int owners[] = {-1}, ticks = static_cast<int>(std::lround(way / (speed * c.tick)));
     std::vector<double> ratios;
     Capstan result;
+    result.cost.links = last;
     for (int i = 0; i < ticks; ++i) {
         const Vec3 at = thread.nodes().back();
         const Hold holds[] = {{last, at + speed * c.tick * laid.away, at + 10 * diameter * laid.away}};

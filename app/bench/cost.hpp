@@ -11,6 +11,8 @@ inline int ticks_in(double seconds, double tick) { return static_cast<int>(std::
 /// What a thread's ticks cost; what is measured between them does not count.
 class Cost {
   public:
+    int links = 0;  ///< Of the thread.
+
     /// Makes a tick by calling `tick`, and hands on its report.
     template <class Tick>
     auto of(const Tick& tick) {

@@ -66,6 +66,7 @@ class Drawing {
     Drawing(const LooseOverhand& knot, Cost& cost)
         : loop_(knot.loop * radius), tick_(knot.tick), cost_(cost), thread_(thread_of(knot)), last_(static_cast<int>(thread_.nodes().size()) - 1), was_(middle()) {
         for (const double link : thread_.rest_lengths()) length_ += link;
+        cost_.links = last_;
     }
 
     double mean_pull() {

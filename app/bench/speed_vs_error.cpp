@@ -57,6 +57,7 @@ void add(Suite& suite, const Problem& problem, bool quick) {
         suite.rows.push_back(told(id + "found", words + "found", trial.found.found, "ratio", trial.seconds));
         if (!problem.ranks) suite.rows.push_back(told(id + "error", words + "error", 100 * std::abs(trial.found.error()), "%", 0));
         suite.rows.push_back(told(id + "cost", words + "processor time of a simulated second", trial.cost.per_second(s.tick), "ms", 0));
+        suite.rows.push_back(told(id + "links", words + "links of the whole thread", trial.cost.links, "count", 0));
         if (s.elastic) suite.rows.push_back(told(id + "sweeps", words + "sweeps over contacts, mean of a tick", trial.cost.sweeps(), "count", 0));
     }
 }

@@ -52,6 +52,7 @@ TightElastic tight_elastic(double link_in_diameters, double friction, double tic
     const double tight = pull_strain * def.elastic->axial_stiffness(link);
     const auto pull = [&] { return std::min(thread.tension()[1], thread.tension()[thread.tension().size() - 2]); };
     TightElastic result{.in_the_end = NAN};
+    result.cost.links = static_cast<int>(thread.rest_lengths().size());
     const auto go = [&](double by) { result.pass_throughs += result.cost.of([&] { return draw(thread, by, tick); }).pass_throughs; };
     for (int i = ticks_in(rest, tick); i > 0; --i) go(0);
     for (int i = ticks_in(longest, tick); i > 0 && pull() < tight; --i) {
