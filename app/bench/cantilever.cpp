@@ -15,7 +15,8 @@ using sim::thread::Vec3;
 // Straight along x, clamped in the middle of its first link, or of both end links: `clamps` of them.
 struct Clamped {
     Clamped(const Setting& setting, int clamps)
-        : tick(setting.tick), last(static_cast<int>(setting.link)), link(length / (last - 0.5 * clamps)), nodes(straight(last, link)), loads(nodes.size(), Vec3::Zero()), thread(def_of(setting), nodes) {}
+        : tick(setting.tick), last(static_cast<int>(setting.link)), link(length / (last - 0.5 * clamps)), nodes(straight(last, link)),
+          loads(nodes.size(), Vec3::Zero()), thread(def_of(setting), nodes) {}
 
     static sim::thread::RodDef material() { return {.axial_over_bending = 0}; }
     static double unit() { return material().bending_stiffness() / (length * length); }  // B / L^2 [N]

@@ -57,7 +57,8 @@ Compared square_over_granny(double friction, const Setting& s, Cost& cost) {
 std::vector<Problem> problems() {
     constexpr double pi = std::numbers::pi;
     const std::string lengths = "length in D", count = "number", round = "number round the loop";
-    const std::vector ticks{4e-3, 1e-3, 0.25e-3};
+    const std::string slips = ": ratio of forces at which they slip";
+    const std::vector ticks{4e-3, 1e-3, 0.25e-3}, two_ticks{4e-3, 1e-3};
     const auto capstan_of = [](double wrap) { return [=](const Setting& s, Cost& cost) { return round_cylinder(wrap, s, cost); }; };
     const auto loose = [](double friction) { return [=](const Setting& s, Cost& cost) { return loose_overhand(friction, s, cost); }; };
     const auto knots = [](double friction) { return [=](const Setting& s, Cost& cost) { return square_over_granny(friction, s, cost); }; };
@@ -68,8 +69,8 @@ std::vector<Problem> problems() {
             {"loose-overhand", "loose overhand of 480 radii, no friction: pull that draws it tight", round, {60, 120, 240}, ticks, loose(0)},
             {"rough-overhand", "loose overhand of 480 radii, friction 0.1: pull that draws it tight", round, {60, 120, 240}, ticks, loose(0.1)},
             {"tight-overhand", "tight overhand, friction 0.15: what it takes up", lengths, {1, 0.5, 0.25}, ticks, tight_overhand},
-            {"square-granny-mu1", "square over granny knot, friction 0.1: ratio of forces at which they slip", lengths, {1.4, 1, 0.7}, {4e-3, 1e-3}, knots(0.1), true},
-            {"square-granny-mu2", "square over granny knot, friction 0.2: ratio of forces at which they slip", lengths, {1.4, 1, 0.7}, {4e-3, 1e-3}, knots(0.2), true}};
+            {"square-granny-mu1", "square over granny knot, friction 0.1" + slips, lengths, {1.4, 1, 0.7}, two_ticks, knots(0.1), true},
+            {"square-granny-mu2", "square over granny knot, friction 0.2" + slips, lengths, {1.4, 1, 0.7}, two_ticks, knots(0.2), true}};
 }
 
 std::vector<RodCase> still_problems() {

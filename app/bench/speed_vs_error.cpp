@@ -53,7 +53,8 @@ std::vector<Trial> tried(const Problem& problem, bool quick) {
 void add(Suite& suite, const Problem& problem, bool quick) {
     for (const Trial& trial : tried(problem, quick)) {
         const Setting& s = trial.setting;
-        const std::string id = id_of(problem, s) + "-", words = problem.what + "; " + name_of(s.elastic) + ", links (" + problem.links + ") " + digits(s.link) + ", ticks of " + digits(1000 * s.tick) + " ms: ";
+        const std::string id = id_of(problem, s) + "-", links = ", links (" + problem.links + ") " + digits(s.link);
+        const std::string words = problem.what + "; " + name_of(s.elastic) + links + ", ticks of " + digits(1000 * s.tick) + " ms: ";
         suite.rows.push_back(told(id + "found", words + "found", trial.found.found, "ratio", trial.seconds));
         if (!problem.ranks) suite.rows.push_back(told(id + "error", words + "error", 100 * std::abs(trial.found.error()), "%", 0));
         suite.rows.push_back(told(id + "cost", words + "processor time of a simulated second", trial.cost.per_second(s.tick), "ms", 0));

@@ -159,7 +159,8 @@ TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
         values[row["id"]] = row["value"];
         EXPECT_GE(values[row["id"]], 0) << row.dump();
     }
-    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-", "loose-overhand-", "rough-overhand-", "tight-overhand-", "square-granny-mu1-", "square-granny-mu2-"})
+    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-",
+                                       "loose-overhand-", "rough-overhand-", "tight-overhand-", "square-granny-mu1-", "square-granny-mu2-"})
         for (const std::string thread : {"ftl-", "elastic-"})
             for (const std::string figure : {problem.starts_with("square") ? "-found" : "-error", "-cost"}) {
                 const auto is_it = [&](const auto& row) { return row.first.starts_with(problem + thread) && row.first.ends_with(figure); };
