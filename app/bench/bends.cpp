@@ -61,8 +61,15 @@ namespace {
 struct Pulling {
     Pulling(const Bend& bend, const BendPull& pull)
         : rod{.bending_share = pull.bending_share, .axial_over_bending = 0}, start(bend, pull.link * diameter, 0.5 * diameter),
-          last(static_cast<int>(start.nodes.size()) - 1), thread({.friction = pull.friction, .elastic = rod}, start.nodes), loads(start.nodes.size(), Vec3::Zero()) {
+          last(static_cast<int>(start.nodes.size()) - 1), thread(thread_def(pull, rod), start.nodes), loads(start.nodes.size(), Vec3::Zero()), seconds(pull.tick) {
+        cost.links = last;
         out = {(start.nodes[0] - start.nodes[1]).normalized(), (start.nodes[at(last)] - start.nodes[at(last - 1)]).normalized()};
+    }
+
+    static sim::thread::ThreadDef thread_def(const BendPull& pull, const RodDef& rod) {
+        sim::thread::ThreadDef def{.friction = pull.friction, .axial_stiffness = rod.axial_stiffness(diameter)};
+        if (pull.elastic) def.elastic = rod;
+        return def;
     }
 
     double unit() const { return rod.bending_stiffness() / (diameter * diameter); }
@@ -71,23 +78,27 @@ struct Pulling {
     double standing() const { return 0.5 * (pulled(start.left - 1) + pulled(start.right)); }
     double tail(int which) const { return thread.nodes()[which == 0 ? 0 : at(last)].dot(out[at(which)]) / diameter; }
 
-    // Hands at the last two nodes go towards the pull that is asked of them, by what ten diameters of thread would give and a tenth at most.
+    // Hands at the last two nodes go towards the pull that is asked of them, by what ten diameters of thread would give and a tenth at most in a millisecond.
     void tick(double standing_pull, double tail_pull) {
         loads.front() = tail_pull * unit() * out[0], loads.back() = tail_pull * unit() * out[1];
-        const double give = 10 * diameter * unit() / rod.axial_stiffness(diameter);
-        const auto way = [&](int link) { return std::clamp(give * (standing_pull - pulled(link)), -0.1 * diameter, 0.1 * diameter) * Vec3::UnitX(); };
+        const double most = 100 * seconds * diameter, give = 10 * diameter * unit() / rod.axial_stiffness(diameter);
+        const auto way = [&](int link) { return std::clamp(give * (standing_pull - pulled(link)), -most, most) * Vec3::UnitX(); };
         const Vec3 l = -way(start.left - 1), r = way(start.right);
         const auto x = thread.nodes();
         const auto by = [&](int node, const Vec3& go) { return Hold{node, x[at(node)] + go}; };
         const Hold holds[] = {by(start.left, l), by(start.left + 1, l), by(start.right, r), by(start.right - 1, r)};
         constexpr int owners[] = {0, 0, 1, 1};
-        pass_throughs += thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = 1e-3, .loads = loads}).pass_throughs;
+        const auto go = [&] { return thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = seconds, .loads = loads}); };
+        pass_throughs += cost.of(go).pass_throughs;
     }
 
     // All four ends alike, until it stands still.
     void tighten(double pull) {
-        constexpr int ramp = 300, ticks = 1500;
-        for (int t = 1; t <= ticks; ++t) tick(pull * std::min(1.0, static_cast<double>(t) / ramp), pull * std::min(1.0, static_cast<double>(t) / ramp));
+        const int ramp = ticks_in(0.3, seconds), ticks = ticks_in(1.5, seconds);
+        for (int t = 1; t <= ticks; ++t) {
+            const double now = pull * std::min(1.0, static_cast<double>(t) / ramp);
+            tick(now, now);
+        }
         tight = {tail(0), tail(1)};
     }
 
@@ -105,14 +116,17 @@ struct Pulling {
     std::array<Vec3, 2> out;        // where tails are pulled
     std::array<double, 2> tight{};
     int pass_throughs = 0;
+    double seconds;                 // in a tick
+    Cost cost;
 };
 
 }  // namespace
 
 // Pulled no harder while a tail runs in: then a slow ramp and a slower one come to the same.
 Pulled pull_bend(const Bend& bend, const BendPull& pull) {
-    constexpr double mean_of = 20, creeping = 0.005, ramp = 6000;  // ticks; D a tick
-    constexpr int most_ticks = 20000;  // what has run in all that time has slipped
+    constexpr double mean_of = 20;                                         // ticks
+    const double creeping = 5 * pull.tick, ramp = ticks_in(6, pull.tick);  // [D] in a tick; ticks
+    const int most_ticks = ticks_in(20, pull.tick);                        // what has run in all that time has slipped
     Pulling pulling(bend, pull);
     pulling.tighten(pull.tails);
     const double bears = pulling.bears(), more = std::pow(bears / pull.tails, 1 / ramp);
@@ -125,11 +139,11 @@ Pulled pull_bend(const Bend& bend, const BendPull& pull) {
         run_in = pulling.run_in();
         most = std::max(most, now);
     }
-    return {most, most / bears, pulling.pass_throughs};
+    return {most, most / bears, pulling.pass_throughs, pulling.cost};
 }
 
 LetGo let_go(const Bend& bend, const BendPull& pull) {
-    constexpr int ticks = 1000, free = 2000;
+    const int ticks = ticks_in(1, pull.tick), free = ticks_in(2, pull.tick);
     constexpr double most = 20;  // [D]
     Pulling pulling(bend, pull);
     pulling.tighten(pull.tails);

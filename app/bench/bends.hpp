@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/cost.hpp"
 #include "app/bench/row.hpp"
 #include "sim/geometry/vec.hpp"
 #include "sim/knot/namer.hpp"
@@ -40,6 +41,8 @@ struct BendPull {
     double bending_share;           ///< Of Young's modulus: RodDef.
     double tails;                   ///< Weight on either tail,
     double link = 1;                ///< [D]
+    double tick = 1e-3;             ///< [s]
+    bool elastic = true;            ///< Else by ftl, whose tails nothing pulls.
 };
 
 /// What came of it: both ends are pulled ever harder until a tail has run in by twenty diameters, several times what a knot takes up as it
@@ -48,6 +51,7 @@ struct Pulled {
     double force;                   ///< Most that it carried, mean of both ends over twenty ticks.
     double share;                   ///< Of that stretch; 0.99: it held.
     int pass_throughs;
+    Cost cost;
 };
 Pulled pull_bend(const Bend& bend, const BendPull& pull);
 

@@ -120,14 +120,15 @@ Capstan capstan(const CapstanCase& c) {
     const sim::thread::MovingCapsule capsules[] = {{cylinder, cylinder, 0}};
     const int owners[] = {-1}, ticks = static_cast<int>(std::lround(way / (speed * c.tick)));
     std::vector<double> ratios;
+    Capstan result;
+    result.cost.links = last;
     for (int i = 0; i < ticks; ++i) {
         const Vec3 at = thread.nodes().back();
         const Hold holds[] = {{last, at + speed * c.tick * laid.away, at + 10 * diameter * laid.away}};
-        const auto report = thread.tick({holds, owners, capsules, nullptr});
+        const auto report = result.cost.of([&] { return thread.tick({holds, owners, capsules, nullptr}); });
         if (2 * i < ticks || report.fraction < 1) continue;
         if (const auto ratio = ratio_read(thread, c)) ratios.push_back(*ratio);
     }
-    Capstan result;
     if (ratios.empty()) return result;
     result.ratio = percentile(ratios, 0.5);
     result.followed = 2.0 * static_cast<double>(ratios.size()) / ticks;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "app/bench/cost.hpp"
 #include "app/bench/row.hpp"
 
 namespace app::bench {
@@ -17,6 +18,7 @@ struct CapstanCase {
 struct Capstan {
     double ratio = 0;            ///< Exponent ln(T2/T1) over what the discrete law says for this very polyline; median of ticks.
     double followed = 0;         ///< Share of the ticks that made their whole motion and showed a tension on both sides.
+    Cost cost = {};
 
     /// |ratio - 1|; 1 where the thread hung more than it slid, so that there is nothing to read.
     double deviation() const;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "app/bench/cost.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
@@ -38,10 +39,13 @@ struct Hands {
 struct Apart {
     explicit Apart(const Thread& thread);
 
-    TickReport by(Thread& thread, double step) { return hands.move(thread, -step * away, step * away); }
+    TickReport by(Thread& thread, double step) {
+        return cost.of([&] { return hands.move(thread, -step * away, step * away); });
+    }
 
     Hands hands;
     Vec3 away;  ///< From the first end to the last.
+    Cost cost;
 };
 
 /// Pulls both ends at `speed` [m/s] in ticks of 1 ms until a hundred ticks brought them no farther apart than a hundredth of

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "app/bench/cost.hpp"
 #include "app/bench/knots.hpp"
 #include "app/bench/row.hpp"
 
@@ -11,6 +12,7 @@ namespace app::bench {
 struct Tight {
     double least = 0;      ///< At any time.
     double in_the_end = 0;
+    Cost cost = {};
 };
 Tight tight(double link_in_diameters, double friction, double speed = 0.02, double length_in_diameters = 60);
 

@@ -14,7 +14,7 @@ using sim::thread::Hold;
 using sim::thread::Thread;
 using sim::thread::Vec3;
 
-constexpr double pi = std::numbers::pi, radius = 0.5e-3, tick = 1e-3;  // [m], [s]
+constexpr double pi = std::numbers::pi, radius = 0.5e-3;              // [m]
 constexpr double first_loop = 1.1, tail = 6;                           // of R: the loop to begin with, and of that how far it is to either end
 constexpr double within = 0.02;                                        // of what it takes up in the end: where it is measured
 
@@ -42,8 +42,9 @@ std::vector<Vec3> start_shape(const LooseOverhand& knot) {
     return path;
 }
 
-// So heavy that its own bending moves a loop by about the thread's radius in a tick: strands do not leap off each other's corners.
+// So heavy that its own bending moves a loop by about the thread's radius in a millisecond: strands do not leap off each other's corners.
 sim::thread::RodDef material(double loop) {
+    constexpr double tick = 1e-3;
     sim::thread::RodDef def{.radius = radius, .young = 1e9, .density = 1};
     def.density = def.bending_stiffness() * tick * tick / (radius * loop * loop * loop) / def.mass_per_length();
     return def;
@@ -55,23 +56,27 @@ Thread thread_of(const LooseOverhand& knot) {
     double length = 0;
     for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
     const int links = static_cast<int>(std::lround(length / (2 * pi * loop) * knot.links));
-    return {{.radius = radius, .friction = knot.friction, .elastic = material(loop)}, sim::thread::resample(path, links)};
+    sim::thread::ThreadDef def{.radius = radius, .friction = knot.friction, .axial_stiffness = material(loop).axial_stiffness(length / links)};
+    if (knot.elastic) def.elastic = material(loop);
+    return {def, sim::thread::resample(path, links)};
 }
 
 class Drawing {
   public:
-    explicit Drawing(const LooseOverhand& knot) : loop_(knot.loop * radius), thread_(thread_of(knot)), last_(static_cast<int>(thread_.nodes().size()) - 1), was_(middle()) {
+    Drawing(const LooseOverhand& knot, Cost& cost)
+        : loop_(knot.loop * radius), tick_(knot.tick), cost_(cost), thread_(thread_of(knot)), last_(static_cast<int>(thread_.nodes().size()) - 1), was_(middle()) {
         for (const double link : thread_.rest_lengths()) length_ += link;
+        cost_.links = last_;
     }
 
     double mean_pull() {
-        constexpr int rest = 300, most_ticks = 8000;  // it takes 1600, or twice that where links are coarse
-        const double ring = 2 * pi * loop_, speed = 2.5e-4 * loop_;
+        constexpr double rest = 0.3, longest = 8;  // [s]; it takes 1.6, or twice that where links are coarse
+        const double ring = 2 * pi * loop_, speed = 0.25 * loop_;
         double pulls = 0;
         int count = 0;
-        for (int i = 0; i < rest; ++i) move(0);
-        for (int i = 0; i < most_ticks && taken_up() > (1 - within) * ring; ++i) {
-            move(speed);
+        for (int i = ticks_in(rest, tick_); i > 0; --i) move(0);
+        for (int i = ticks_in(longest, tick_); i > 0 && taken_up() > (1 - within) * ring; --i) {
+            move(speed * tick_);
             if (std::abs(taken_up() / ring - 1) < within) pulls += pull(), ++count;
         }
         return pulls / count * radius * radius / bending_stiffness();
@@ -81,7 +86,7 @@ class Drawing {
     double middle() const { return thread_.nodes()[static_cast<std::size_t>(last_ / 2)].x(); }
     double taken_up() const { return length_ - (thread_.nodes().back() - thread_.nodes().front()).norm(); }
     double pull() const { return 0.5 * (thread_.tension()[1] + thread_.tension()[static_cast<std::size_t>(last_ - 2)]); }
-    double bending_stiffness() const { return thread_.def().elastic->bending_stiffness(); }
+    double bending_stiffness() const { return material(loop_).bending_stiffness(); }
 
     // Either end by so much [m]. Nothing but a weak spring keeps the loop from going along the thread to a hand and over it.
     void move(double by) {
@@ -93,10 +98,11 @@ class Drawing {
         loads_.assign(x.size(), Vec3::Zero());
         loads_[static_cast<std::size_t>(last_ / 2)].x() = -spring * (now + (now - was_));
         was_ = now;
-        thread_.tick({holds, owners, {}, nullptr, tick, loads_});
+        cost_.of([&] { return thread_.tick({holds, owners, {}, nullptr, tick_, loads_}); });
     }
 
-    double loop_;  // [m]
+    double loop_, tick_;  // [m], [s]
+    Cost& cost_;
     Thread thread_;
     int last_;
     double was_, length_ = 0;
@@ -108,6 +114,6 @@ class Drawing {
 double LooseOverhand::eps() const { return std::sqrt(1 / loop); }
 double LooseOverhand::law() const { return std::pow(eps(), 4) / 2 + 0.492 * friction * std::pow(eps(), 3); }
 
-double drawn_with(const LooseOverhand& knot) { return Drawing(knot).mean_pull(); }
+double drawn_with(const LooseOverhand& knot, Cost& cost) { return Drawing(knot, cost).mean_pull(); }
 
 }  // namespace app::bench

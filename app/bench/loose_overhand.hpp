@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "app/bench/cost.hpp"
 #include "app/bench/row.hpp"
 
 namespace app::bench {
@@ -11,6 +12,8 @@ struct LooseOverhand {
     int links = 60;          ///< Once round the loop.
     int half_turns = 3;      ///< Of the strands about each other, odd: 3 an overhand, 5 a double overhand.
     double friction = 0;
+    double tick = 1e-3;      ///< [s]; it takes some seconds.
+    bool elastic = true;     ///< Else what ftl shows as tension.
 
     double eps() const;      ///< sqrt(h / R).
     /// F h^2 / B to lowest order in eps, where B is the bending stiffness: eps^4 / 2 + 0.492 friction eps^3. The first is a circle that
@@ -22,7 +25,12 @@ struct LooseOverhand {
 
 /// The same of what it is drawn with, slowly, by both ends, held so that they point along the tails: mean while the knot takes up 2 pi R
 /// to within 2 %, for strands that are made of links slide unevenly. NaN if its loop never gets there.
-double drawn_with(const LooseOverhand& knot);
+double drawn_with(const LooseOverhand& knot, Cost& cost);
+
+inline double drawn_with(const LooseOverhand& knot) {
+    Cost cost;
+    return drawn_with(knot, cost);
+}
 
 std::vector<Row> loose_overhand_rows(bool quick);
 

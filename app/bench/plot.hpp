@@ -13,12 +13,14 @@ struct Point {
 struct Series {
     std::string name;
     std::vector<Point> points;
+    bool dashed = false;
 };
 
-/// Axis titles carry the units. x is logarithmic and above 0.
+/// Axis titles carry the units. x is logarithmic and above 0, and so is y if it says so.
 struct Chart {
     std::string x_title, y_title;
     std::vector<Series> series;
+    bool log_y = false;
 };
 
 /// The charts side by side, as a picture that needs nothing else. What is no number is left out.

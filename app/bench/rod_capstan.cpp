@@ -85,12 +85,13 @@ Compared rod_capstan(double friction, double wrap, double turn, double tick) {
     });
 }
 
-Compared elastic_capstan(double friction, double wrap, double turn, double tick) {
+Compared elastic_capstan(double friction, double wrap, double turn, double tick, Cost& cost) {
     const Wound wound(friction, wrap, turn, as_suture);
     auto thread = elastic(wound, friction);
     const int owners[] = {-1};
+    cost.links = wound.last();
     return slide(wound, friction, wrap, tick, thread, [&](std::span<const sim::thread::Hold> holds, std::span<const Vec3> loads) {
-        thread.tick({holds, owners, wound.bodies, nullptr, tick, loads});
+        cost.of([&] { return thread.tick({holds, owners, wound.bodies, nullptr, tick, loads}); });
     });
 }
 

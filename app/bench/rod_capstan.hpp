@@ -1,4 +1,5 @@
 #pragma once
+#include "app/bench/cost.hpp"
 #include "app/bench/rod_cases.hpp"
 
 namespace app::bench {
@@ -7,8 +8,13 @@ namespace app::bench {
 /// the pull over the load when it slides, and Euler and Eytelwein's e^(friction wrap). `turn`: of a link about the cylinder [rad].
 Compared rod_capstan(double friction, double wrap, double turn, double tick);
 
-/// The same by an elastic thread, whose contacts are solved all together once a tick.
-Compared elastic_capstan(double friction, double wrap, double turn, double tick);
+/// The same by an elastic thread, whose contacts are solved all together once a tick. `cost`: of its ticks.
+Compared elastic_capstan(double friction, double wrap, double turn, double tick, Cost& cost);
+
+inline Compared elastic_capstan(double friction, double wrap, double turn, double tick) {
+    Cost cost;
+    return elastic_capstan(friction, wrap, turn, tick, cost);
+}
 
 /// The same, of a polyline: what its nodes carry (surgery-and-physics.md, table D1).
 double capstan_of_nodes(double friction, double wrap, double turn);

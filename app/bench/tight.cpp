@@ -15,6 +15,8 @@ Tight tight(double link_in_diameters, double friction, double speed, double leng
     Tight result;
     result.least = tighten(thread, pull, speed, most_ticks);
     result.in_the_end = taken_up(thread);
+    result.cost = pull.cost;
+    result.cost.links = static_cast<int>(thread.rest_lengths().size());
     return result;
 }
 

@@ -32,30 +32,31 @@ double taken_up_by(const Thread& thread) {
     return (along - (x.back() - x.front()).norm()) / (2 * thread.def().radius);
 }
 
-// Either end goes out by so much along x [m], held so that it points there.
-int draw(Thread& thread, double by) {
+// In a tick of so many seconds, either end goes out by so much along x [m], held so that it points there.
+sim::thread::TickReport draw(Thread& thread, double by, double tick) {
     const std::span<const Vec3> x = thread.nodes();
     const int last = static_cast<int>(x.size()) - 1;
     const auto held = [&](int node, double way) { return Hold{node, x[static_cast<std::size_t>(node)] + way * Vec3::UnitX()}; };
     const Hold holds[] = {held(0, -by), held(1, -by), held(last - 1, by), held(last, by)};
     constexpr int owners[] = {0, 0, 1, 1};
-    return thread.tick({holds, owners, {}, nullptr}).pass_throughs;
+    return thread.tick({holds, owners, {}, nullptr, tick});
 }
 
 }  // namespace
 
-TightElastic tight_elastic(double link_in_diameters, double friction) {
-    constexpr int rest = 100, most_ticks = 2000;
-    constexpr double speed = 0.025;  // [D] in a tick
+TightElastic tight_elastic(double link_in_diameters, double friction, double tick) {
+    constexpr double rest = 0.1, longest = 2, speed = 25;  // [s], [s], [D] in a second
     const ThreadDef def = limp(friction);
     const double diameter = 2 * def.radius, link = link_in_diameters * diameter;
     Thread thread(def, overhand(static_cast<int>(length / link_in_diameters), length * diameter));
     const double tight = pull_strain * def.elastic->axial_stiffness(link);
     const auto pull = [&] { return std::min(thread.tension()[1], thread.tension()[thread.tension().size() - 2]); };
     TightElastic result{.in_the_end = NAN};
-    for (int i = 0; i < rest; ++i) result.pass_throughs += draw(thread, 0);
-    for (int i = 0; i < most_ticks && pull() < tight; ++i) {
-        result.pass_throughs += draw(thread, speed * diameter);
+    result.cost.links = static_cast<int>(thread.rest_lengths().size());
+    const auto go = [&](double by) { result.pass_throughs += result.cost.of([&] { return draw(thread, by, tick); }).pass_throughs; };
+    for (int i = ticks_in(rest, tick); i > 0; --i) go(0);
+    for (int i = ticks_in(longest, tick); i > 0 && pull() < tight; --i) {
+        go(speed * tick * diameter);
         result.least = std::min(result.least, taken_up_by(thread));
     }
     if (pull() >= tight) result.in_the_end = taken_up_by(thread);

@@ -4,6 +4,7 @@
 #include "app/bench/naming.hpp"
 #include "app/bench/print.hpp"
 #include "app/bench/speed.hpp"
+#include "app/bench/speed_vs_error.hpp"
 #include "app/bench/stability.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
@@ -29,6 +30,7 @@ bench::Suite naming(bool quick, const bench::Progress& progress) {
 
 constexpr Known suites[] = {
     {"speed", bench::speed_suite},
+    {"speed-vs-error", bench::speed_vs_error_suite},
     {"accuracy", bench::accuracy_suite},
     {"stability", stability},
     {"knots", naming},
@@ -45,9 +47,15 @@ const Known& suite_of(const BenchOptions& options) {
 
 void check_plot(const BenchOptions& options) {
     if (options.plot.empty()) return;
-    if (options.suite != "speed") throw InputFault(options.plot + ": error: --plot: only the suite speed draws one");
+    if (options.suite == "speed-vs-error") return make_folder("--plot", options.plot);
+    if (options.suite != "speed") throw InputFault(options.plot + ": error: --plot: only the suites speed and speed-vs-error draw any");
     expect_ending("--plot", options.plot, ".svg");
     expect_writable("--plot", options.plot);
+}
+
+void draw(const bench::Suite& suite, const std::string& to) {
+    if (suite.name == "speed") return write_file(to, bench::trade_off_picture(suite));
+    for (const auto& [name, picture] : bench::speed_vs_error_pictures(suite)) write_file(std::filesystem::path(to) / (name + ".svg"), picture);
 }
 
 }  // namespace
@@ -57,7 +65,7 @@ int bench_command(const BenchOptions& options) {
     check_plot(options);
     const bench::Suite suite = known.measure(options.quick, [](const std::string& what) { std::cerr << what << '\n'; });
     (options.json ? bench::print_json : bench::print_table)(std::cout, suite, {machine_name(), bench::build_name()});
-    if (!options.plot.empty()) write_file(options.plot, bench::trade_off_picture(suite));
+    if (!options.plot.empty()) draw(suite, options.plot);
     const std::string missed = bench::missed(suite);
     if (!missed.empty()) throw CheckFailed("bench " + suite.name + ": these figures miss their bounds: " + missed);
     return 0;

@@ -243,6 +243,7 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {curve, {"rope", curve, "--motion", pull, "--out", curve}},
              {notes, {"bench", "speed", "--quick", "--plot", notes}},
              {"/nowhere/x.svg", {"bench", "speed", "--quick", "--plot", "/nowhere/x.svg"}},
+             {notes, {"bench", "speed-vs-error", "--quick", "--plot", notes}},
              {drill, {"run", drill, "--input", motion, "--out", folder.path("")}},
              {recording, {"replay", recording, "--out", other.path("")}}}) {
         SCOPED_TRACE(testing::PrintToString(call));

@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "app/bench/gauge.hpp"
+#include "app/bench/plot.hpp"
 #include "app/bench/print.hpp"
 #include "app/bench/shape.hpp"
 #include "app/bench/speed.hpp"
@@ -139,6 +142,52 @@ TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
                                  "growth-coiled-exponent", "ftl-link1-tick1-cost"})
         EXPECT_NE(ending.out.find('"' + id + '"'), std::string::npos) << id;
     EXPECT_TRUE(program::read(plot).starts_with("<svg "));
+}
+
+// Both threads are asked the same, and the elastic one bends as theory says while the other does not bend at all.
+TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
+    const program::Folder folder;
+    const std::string plots = folder.path("plots");
+    const auto ending = program::run({"bench", "speed-vs-error", "--quick", "--json", "--plot", plots}, std::chrono::seconds(600));
+    ASSERT_EQ(ending.exit, 0) << ending.said;
+    const json answer = json::parse(ending.out);
+    EXPECT_EQ(answer.at("suite"), "speed-vs-error");
+    expect_the_contracts_keys(answer);
+    std::map<std::string, double> values;
+    for (const json& row : answer["rows"]) {
+        ASSERT_TRUE(row["value"].is_number()) << row.dump();  // what is no number is printed as null
+        values[row["id"]] = row["value"];
+        EXPECT_GE(values[row["id"]], 0) << row.dump();
+    }
+    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-",
+                                       "loose-overhand-", "rough-overhand-", "tight-overhand-", "square-granny-mu1-", "square-granny-mu2-"})
+        for (const std::string thread : {"ftl-", "elastic-"})
+            for (const std::string figure : {problem.starts_with("square") ? "-found" : "-error", "-cost"}) {
+                const auto is_it = [&](const auto& row) { return row.first.starts_with(problem + thread) && row.first.ends_with(figure); };
+                EXPECT_EQ(std::count_if(values.begin(), values.end(), is_it), 1) << problem << thread << figure;
+            }
+    EXPECT_LT(values.at("cantilever-elastic-link20-tick4-error"), 1);
+    EXPECT_GT(values.at("cantilever-ftl-link20-tick4-error"), 99);
+    EXPECT_LT(values.at("ring-turn-rod-link40-error"), values.at("ring-turn-rod-link20-error"));
+    EXPECT_LT(values.at("capstan-half-elastic-link2-tick4-error"), 5);  // of the ratio, as `carrel bench accuracy` asks
+    for (const std::string name : {"capstan-half", "square-granny-mu2", "helix-angle"})
+        EXPECT_TRUE(program::read(plots + "/" + name + ".svg").starts_with("<svg ")) << name;
+}
+
+// Ten times as much is as far along a logarithmic axis everywhere, and what has no logarithm is left out.
+TEST(Bench, APlotWithTwoLogarithmicAxesHasEvenDecades) {
+    const app::bench::Series series{"a thread", {{1, 0.1, "first"}, {10, 1, "second"}, {100, 10, "third"}, {10, 0, "none"}}};
+    const std::string picture = app::bench::svg({{"cost", "error", {series}, true}}), start = "<polyline points=\"";
+    std::istringstream points(picture.substr(picture.find(start) + start.size()));
+    double x[3], y[3];
+    char comma;
+    for (int i = 0; i < 3; ++i) points >> x[i] >> comma >> y[i];
+    constexpr double digit = 0.11;  // pixels are written to a tenth
+    EXPECT_GT(x[1] - x[0], 100);
+    EXPECT_NEAR(x[2] - x[1], x[1] - x[0], digit);
+    EXPECT_LT(y[1] - y[0], -100);
+    EXPECT_NEAR(y[2] - y[1], y[1] - y[0], digit);
+    EXPECT_EQ(picture.find(">none<"), std::string::npos);
 }
 
 }  // namespace
