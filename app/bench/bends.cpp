@@ -60,7 +60,7 @@ namespace {
 
 struct Pulling {
     Pulling(const Bend& bend, const BendPull& pull)
-        : rod{.bending_share = pull.bending_share, .axial_over_bending = 0}, start(bend, pull.link * diameter, 0.5 * diameter),
+        : rod{.bending_share = pull.bending_share, .axial_over_bending = 0, .yield_strain = pull.yield_strain}, start(bend, pull.link * diameter, 0.5 * diameter),
           last(static_cast<int>(start.nodes.size()) - 1), thread({.friction = pull.friction, .elastic = rod}, start.nodes), loads(start.nodes.size(), Vec3::Zero()) {
         out = {(start.nodes[0] - start.nodes[1]).normalized(), (start.nodes[at(last)] - start.nodes[at(last - 1)]).normalized()};
     }

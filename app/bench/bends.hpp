@@ -40,6 +40,7 @@ struct BendPull {
     double bending_share;           ///< Of Young's modulus: RodDef.
     double tails;                   ///< Weight on either tail,
     double link = 1;                ///< [D]
+    double yield_strain = 0;        ///< RodDef.
 };
 
 /// What came of it: both ends are pulled ever harder until a tail has run in by twenty diameters, several times what a knot takes up as it
