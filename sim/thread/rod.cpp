@@ -272,7 +272,7 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
 void Rod::begin(const RodInput& input, double seconds) {
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
-    inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
+    inertia_ = seconds > 0 && def_.density > 0 && !def_.quasi_static ? 1 / (seconds * seconds) : 0;
     turn_ = input.turn;
     held_.assign(now_.nodes.size(), 0);
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;

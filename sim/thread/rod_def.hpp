@@ -17,6 +17,7 @@ struct RodDef {
     /// Whether it is as it was made, bent by as much at each node as at first, when unloaded; else straight. About which axis a node
     /// bends is free, as in a round thread of which no end is kept from turning.
     bool keeps_shape = false;
+    bool quasi_static = false;       ///< Every step ends in equilibrium, as without density, but under its weight.
     /// Strain beyond which a fibre stays as it is bent, [0, 1], 0: never. A round section all of whose fibres yield carries
     /// 16 / (3 pi) of the moment at which the outermost begin to; here it springs up to that moment and gives way at it, where a true one
     /// gives way little by little. Of bending alone: what a pull adds to the strain is left out.
