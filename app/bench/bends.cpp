@@ -91,6 +91,16 @@ struct Pulling {
         tight = {tail(0), tail(1)};
     }
 
+    // From what it was tied with to what its tails are pulled with, in a second.
+    void ease(double from, double to) {
+        constexpr int ramp = 1000;
+        for (int t = 1; t <= ramp && from > to; ++t) {
+            const double pull = from + (to - from) * t / ramp;
+            tick(pull, pull);
+        }
+        tight = {tail(0), tail(1)};
+    }
+
     double run_in() const { return std::max(tight[0] - tail(0), tight[1] - tail(1)); }
     bool slipped() const { return run_in() > 20; }
 
@@ -114,7 +124,9 @@ Pulled pull_bend(const Bend& bend, const BendPull& pull) {
     constexpr double mean_of = 20, creeping = 0.005, ramp = 6000;  // ticks; D a tick
     constexpr int most_ticks = 20000;  // what has run in all that time has slipped
     Pulling pulling(bend, pull);
-    pulling.tighten(pull.tails);
+    const double tied = std::max(pull.tying, pull.tails);
+    pulling.tighten(tied);
+    pulling.ease(tied, pull.tails);
     const double bears = pulling.bears(), more = std::pow(bears / pull.tails, 1 / ramp);
     double asked = pull.tails, now = asked, most = asked, running = 0, run_in = pulling.run_in();
     for (int t = 0; t < most_ticks && now < 0.99 * bears && !pulling.slipped(); ++t) {

@@ -41,6 +41,7 @@ struct BendPull {
     double tails;                   ///< Weight on either tail,
     double link = 1;                ///< [D]
     double yield_strain = 0;        ///< RodDef.
+    double tying = 0;               ///< Pull on all four ends before, if more than `tails` [B/D^2].
 };
 
 /// What came of it: both ends are pulled ever harder until a tail has run in by twenty diameters, several times what a knot takes up as it

@@ -1,6 +1,7 @@
 #include "app/bench/plastic_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -120,9 +121,9 @@ std::string whole(double value) { return std::to_string(std::lround(value)); }
 struct Table {
     std::vector<Row> rows;
 
-    void add(const std::string& id, const std::string& what, double value, const char* unit, std::optional<double> bound = {}) {
+    void add(const std::string& id, const std::string& what, double value, const char* unit, std::optional<double> bound = {}, Must must = Must::be_at_most) {
         const double now = processor_time();
-        rows.push_back({.id = id, .what = what, .value = value, .unit = unit, .bound = bound, .error = {}, .seconds = now - begun});
+        rows.push_back({.id = id, .what = what, .value = value, .unit = unit, .bound = bound, .must = must, .error = {}, .seconds = now - begun});
         begun = now;
     }
 
@@ -164,13 +165,31 @@ void add_loops(Table& table) {
         }
 }
 
+// What it holds once its tails are all but free, by what it was tied with. In experiments that grows as the pull to 1.6 [SurgeryAndPhysics B2].
+void add_strength(Table& table) {
+    constexpr double weak = 0.1, friction = 0.1;
+    const Bend square{"square knot of 2 throws", true, false};
+    std::array<double, 2> held{};
+    for (const bool set : {false, true}) {
+        const std::string on = set ? "-on" : "-off", what = "elastic square knot of 2 throws, friction 0.1, " + std::string(set ? "plastic set" : "no set");
+        for (const double tying : {weak, 10 * weak}) {
+            const Pulled found = pull_bend(square, {.friction = friction, .bending_share = 1, .tails = 0.02, .yield_strain = set ? polypropylene_yield : 0, .tying = tying});
+            if (tying > weak) table.add("set-strength-exponent" + on, what + ": exponent of what it holds by what it is tied with", std::log10(found.force / held[set]), "exponent");
+            else held[set] = found.force;
+            table.add("set-strength-" + whole(10 * tying) + on, what + ", tied with " + whole(10 * tying) + " tenths of B/D^2, tails with a fiftieth: slips under", found.force, "B/D^2");
+            table.add("set-strength-" + whole(10 * tying) + on + "-passes", what + ": pass-throughs", found.pass_throughs, "count", 0);
+        }
+    }
+    table.add("set-strength-more", "elastic square knot of 2 throws, friction 0.1, tied with a tenth of B/D^2: what it holds with plastic set over without", held[1] / held[0], "ratio", 1, Must::be_at_least);
+}
+
 }  // namespace
 
 std::vector<Row> plastic_set_rows(bool quick) {
     Table table;
     add_springback(table);
     add_overhands(table, quick);
-    if (!quick) add_loops(table);
+    if (!quick) add_loops(table), add_strength(table);
     return table.rows;
 }
 

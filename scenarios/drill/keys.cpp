@@ -124,7 +124,7 @@ Shape instrument() {
 Shape effects() {
     const std::string only = "this version cannot simulate more, ";
     const auto flag = [](const std::string& about) { return Shape{.types = boolean, .about = about}; };
-    std::vector<Key> keys{{"gravity", flag("Weight of an elastic thread, towards -z."), false, false},
+    std::vector<Key> keys{{"gravity", flag("Weight of an elastic thread, towards -z; it falls where no tool and no vessel holds it."), false, false},
                           {"bending", flag("Stiffness against bending. Default: as the thread's model has it, ftl off and elastic on.")},
                           {"extension", flag("Stretch of the thread by its material; off, it stretches by next to nothing. Default: elastic on.")},
                           {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
