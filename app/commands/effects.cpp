@@ -234,7 +234,8 @@ std::vector<Effect> effects_of(const Drill& drill) {
         if (!elastic || !is_on(thread, effect.name)) continue;
         effect.on = true;
         effect.error = "simulated by the elastic thread; without it " + effect.error;
-        effect.cost = "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot";
+        effect.cost = effect.name == "bending" ? "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot"
+                                               : "nothing that could be told from timing beside the elastic thread itself: carrel bench speed, effects";
     }
     return all;
 }

@@ -88,3 +88,11 @@ TEST(Effects, ValidateWarnsAndExitsAsBefore) {
     EXPECT_EQ(json.exit, 0);
     EXPECT_NE(json.out.find("\"warnings\""), std::string::npos) << json.out;
 }
+
+// Played by a model that has none of it, a drill would look as if what it asks for made no difference.
+TEST(Effects, FtlDoesNotPlayADrillThatAsksForMore) {
+    const program::Folder folder;
+    std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
+    text.replace(text.find("{\"gravity\": false}"), 18, "{\"gravity\": true}");
+    program::expect_one_line_naming("--thread ftl", program::run({"run", folder.write("drill.json", text), "--thread", "ftl"}));
+}
