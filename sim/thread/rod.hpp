@@ -43,7 +43,9 @@ struct Rolling {
 struct RodReport {
     int iterations = 0;         ///< Newton steps.
     double residual = 0;        ///< Largest force on a node that is left unbalanced [N].
-    bool stable = true;         ///< Any small move would cost energy: it is not about to buckle.
+    /// Any small move would cost energy: it is not about to buckle. Told of it as if its natural bends were straight: false does not mean
+    /// that one which keeps sharp bends would move.
+    bool stable = true;
     bool settled = true;        ///< Stable, and balanced within the tolerance.
 };
 
