@@ -11,6 +11,7 @@
 #include "app/bench/gauge.hpp"
 #include "app/bench/incline.hpp"
 #include "app/bench/loose_overhand.hpp"
+#include "app/bench/plastic_set.hpp"
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
 #include "app/bench/shape.hpp"
@@ -200,6 +201,8 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
     for (const Row& row : crossing_rows(quick)) suite.rows.push_back(row);
     if (progress) progress("elastic bends and loops");
     for (const Row& row : bend_rows(quick)) suite.rows.push_back(row);
+    if (progress) progress("plastic set");
+    for (const Row& row : plastic_set_rows(quick)) suite.rows.push_back(row);
     return suite;
 }
 

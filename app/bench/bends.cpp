@@ -60,7 +60,7 @@ namespace {
 
 struct Pulling {
     Pulling(const Bend& bend, const BendPull& pull)
-        : rod{.bending_share = pull.bending_share, .axial_over_bending = 0}, start(bend, pull.link * diameter, 0.5 * diameter),
+        : rod{.bending_share = pull.bending_share, .axial_over_bending = 0, .yield_strain = pull.yield_strain}, start(bend, pull.link * diameter, 0.5 * diameter),
           last(static_cast<int>(start.nodes.size()) - 1), thread(thread_def(pull, rod), start.nodes), loads(start.nodes.size(), Vec3::Zero()), seconds(pull.tick) {
         cost.links = last;
         out = {(start.nodes[0] - start.nodes[1]).normalized(), (start.nodes[at(last)] - start.nodes[at(last - 1)]).normalized()};
@@ -102,6 +102,16 @@ struct Pulling {
         tight = {tail(0), tail(1)};
     }
 
+    // From what it was tied with to what its tails are pulled with, in a second.
+    void ease(double from, double to) {
+        constexpr int ramp = 1000;
+        for (int t = 1; t <= ramp && from > to; ++t) {
+            const double pull = from + (to - from) * t / ramp;
+            tick(pull, pull);
+        }
+        tight = {tail(0), tail(1)};
+    }
+
     double run_in() const { return std::max(tight[0] - tail(0), tight[1] - tail(1)); }
     bool slipped() const { return run_in() > 20; }
 
@@ -128,7 +138,9 @@ Pulled pull_bend(const Bend& bend, const BendPull& pull) {
     const double creeping = 5 * pull.tick, ramp = ticks_in(6, pull.tick);  // [D] in a tick; ticks
     const int most_ticks = ticks_in(20, pull.tick);                        // what has run in all that time has slipped
     Pulling pulling(bend, pull);
-    pulling.tighten(pull.tails);
+    const double tied = std::max(pull.tying, pull.tails);
+    pulling.tighten(tied);
+    pulling.ease(tied, pull.tails);
     const double bears = pulling.bears(), more = std::pow(bears / pull.tails, 1 / ramp);
     double asked = pull.tails, now = asked, most = asked, running = 0, run_in = pulling.run_in();
     for (int t = 0; t < most_ticks && now < 0.99 * bears && !pulling.slipped(); ++t) {

@@ -43,6 +43,8 @@ struct BendPull {
     double link = 1;                ///< [D]
     double tick = 1e-3;             ///< [s]
     bool elastic = true;            ///< Else by ftl, whose tails nothing pulls.
+    double yield_strain = 0;        ///< RodDef.
+    double tying = 0;               ///< Pull on all four ends before, if more than `tails` [B/D^2].
 };
 
 /// What came of it: both ends are pulled ever harder until a tail has run in by twenty diameters, several times what a knot takes up as it

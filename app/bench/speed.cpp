@@ -11,6 +11,7 @@ Suite speed_suite(bool quick, const Progress& progress) {
     add_growth(suite, quick, progress);
     add_trade_off(suite, quick, progress);
     add_fitted(suite, progress);
+    add_effects(suite, quick, progress);
     return suite;
 }
 

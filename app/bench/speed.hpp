@@ -18,6 +18,8 @@ void add_growth(Suite& suite, bool quick, const Progress& progress);
 void add_trade_off(Suite& suite, bool quick, const Progress& progress);
 /// Links halved where they are needed against short ones everywhere (fitted.cpp).
 void add_fitted(Suite& suite, const Progress& progress);
+/// What each effect of an elastic thread costs a tick of the overhand pull (effects_cost.cpp).
+void add_effects(Suite& suite, bool quick, const Progress& progress);
 /// A figure without a bound.
 inline Row told(std::string id, std::string what, double value, std::string unit, double seconds) {
     Row row;

@@ -7,8 +7,10 @@ namespace app::bench {
 /// Our thread, held by two tools that go where the hands are as far as the thread lets them.
 class ThreadRope : public Rope {
   public:
-    ThreadRope(const PullDef& def, const std::vector<Vec3>& start)
-        : thread_(thread_def(def), start), last_(def.links), grip_(def.elastic ? def.link() : 0) {}
+    ThreadRope(const PullDef& def, const std::vector<Vec3>& start) : ThreadRope(def, start, {.axial_over_bending = 0}) {}
+    /// `rod`: what it is made of where it is elastic.
+    ThreadRope(const PullDef& def, const std::vector<Vec3>& start, const sim::thread::RodDef& rod)
+        : thread_(thread_def(def, rod), start), last_(def.links), grip_(def.elastic ? def.link() : 0) {}
 
     void tick(const Vec3& left, const Vec3& right) override {
         const Vec3 in = grip_ * (right - left).normalized();
@@ -21,9 +23,9 @@ class ThreadRope : public Rope {
     int pass_throughs() const override { return pass_throughs_; }
 
   private:
-    static sim::thread::ThreadDef thread_def(const PullDef& def) {
+    static sim::thread::ThreadDef thread_def(const PullDef& def, const sim::thread::RodDef& rod) {
         sim::thread::ThreadDef thread{.radius = 0.5 * def.thickness(), .friction = def.friction};
-        if (def.elastic) thread.elastic = {.axial_over_bending = 0};
+        if (def.elastic) thread.elastic = rod;
         return thread;
     }
 

@@ -20,13 +20,12 @@ constexpr double handling_N = 0.02;      ///< Tension while a thread is moved ab
 constexpr double slack_N = 1e-4;         ///< Tension of a loop that hangs free.
 constexpr double tissue_pull_N = 0.1;    ///< Pull of a thread on a vessel while a throw is laid.
 constexpr double wall_modulus = 0.3e6;   ///< [Pa] Arterial wall at handling strain; 0.26 MPa from [Konig2009].
-constexpr double yield_strain = 0.04;    ///< Of polypropylene, 3 to 5 %; braids yield by sliding instead.
 constexpr double retention_N = 1.35;     ///< Pull that tears a 0.4 mm wall at a 2 mm bite [Konig2009].
 constexpr double pressure_Pa = 13.33e3;  ///< 100 mmHg.
 
 /// What the formulas need of a thread. SI.
 struct Rod {
-    double length, diameter, weight_per_m, axial, bending, twisting, break_force;
+    double length, diameter, weight_per_m, axial, bending, twisting, break_force, yield_strain;
 
     explicit Rod(const scenarios::world::ThreadDef& def) {
         const double area = std::numbers::pi / 4 * def.diameter * def.diameter;
@@ -40,6 +39,7 @@ struct Rod {
         bending = bending_modulus * std::numbers::pi / 64 * std::pow(def.diameter, 4);
         twisting = bending / 1.35;  // round and isotropic, Poisson's ratio 0.35
         break_force = def.break_force;
+        yield_strain = def.yield_strain > 0 ? def.yield_strain : 0.01 * material.yield_percent;
     }
 };
 
@@ -50,7 +50,8 @@ std::string text(const char* format, Values... values) {
     return line;
 }
 
-// A cantilever's tail sags by w L^4 / (8 B), which over L is (L / L_g)^3 / 8 with L_g = (B / w)^(1/3).
+// A cantilever's tail sags by w L^4 / (8 B), which over L is (L / L_g)^3 / 8 with L_g = (B / w)^(1/3), and no farther than it is long. A
+// thread tied in the open with twice L_g of slack is one that needs it [SurgeryAndPhysics F1].
 Effect gravity(const Rod& rod) {
     const double gravito_bending = std::cbrt(rod.bending / rod.weight_per_m), ratio = rod.length / gravito_bending;
     const double one_percent = std::cbrt(0.08) * gravito_bending;
@@ -63,7 +64,10 @@ Effect gravity(const Rod& rod) {
                  "ends at "
                  "20 mN the whole length should sag %.2f mm",
                  one_percent * 1000, sag * 1000),
-            "would cost one addition per node"};
+            "would cost \"gravity\" in the effects of an elastic thread, one addition per node",
+            "sag of a free tail as long as the thread, share of its length",
+            std::min(1.0, ratio * ratio * ratio / 8),
+            2};
 }
 
 // A pulled thread rounds a corner over sqrt(B / T).
@@ -77,7 +81,10 @@ Effect bending(const Rod& rod, int links) {
                  "open; at "
                  "1 N it is %.3f mm, nothing",
                  rounding * 1000, link * 1000, std::sqrt(rod.bending) * 1000),
-            "would cost \"model\": \"elastic\" in the drill's thread"};
+            "would cost \"model\": \"elastic\" in the drill's thread",
+            "rounding of a corner at 20 mN, in mm",
+            rounding * 1000,
+            1};
 }
 
 // A pulled rod writhes into a loop at n = L sqrt(4 B T) / (2 pi C) turns [Greenhill].
@@ -104,18 +111,29 @@ Effect extension(const Rod& rod) {
         handling_N / rod.axial,
         text("the thread should be longer by %.2f %% in handling (20 mN) and by %.1f %% at its breaking load (%.2f N)",
              100 * handling_N / rod.axial, 100 * rod.break_force / rod.axial, rod.break_force),
-        "would cost \"model\": \"elastic\" in the drill's thread"};
+        "would cost \"model\": \"elastic\" in the drill's thread",
+        "strain at 20 mN",
+        handling_N / rod.axial,
+        0.01};
 }
 
+// About a strand of its own a thread's axis is bent to 1 / D and its outermost fibres are stretched by a half. Let go of it springs back by
+// 16 / (3 pi) of what begins to yield (RodDef), and a thread that only bends springs straight.
 Effect plastic_set(const Rod& rod) {
-    const double strain_at_break = rod.break_force / rod.axial;
+    if (rod.yield_strain == 0)
+        return {"plastic_set", false, "1 / (2 yield strain)", 0, "nothing is known of when this material yields; a braid's fibres slide instead", "costs nothing"};
+    const double tight = 0.5, springs = 16 / (3 * std::numbers::pi) * rod.yield_strain;
     return {"plastic_set",
             false,
-            "strain at breaking load / yield strain",
-            strain_at_break / yield_strain,
-            text("a throw pulled beyond %.2f N should keep its shape and hold more; here it holds by friction alone",
-                 yield_strain * rod.axial),
-            "would cost a lock per contact"};
+            "1 / (2 yield strain)",
+            tight / rod.yield_strain,
+            text("a throw bent about a strand of its own should keep %.0f %% of its bend, anything bent more sharply than %.2f mm some of it; without it "
+                 "a knot holds by friction alone",
+                 100 * std::max(0.0, 1 - springs / tight), 500 * rod.diameter / springs),
+            "would cost \"plastic_set\" in the effects of an elastic thread, one comparison per node",
+            "share of its bend that a throw about a strand of its own keeps",
+            std::max(0.0, 1 - springs / tight),
+            1};
 }
 
 // Local strain of a wall pulled over 1 mm of width: F / (E t w).
@@ -183,7 +201,15 @@ Effect inertia(const Rod& rod) {
             4 / (f1 * f1),
             text("a free tail of %.0f mm should swing behind a hand at 2 Hz by %.1f %%", free_length * 1000,
                  400 / (f1 * f1)),
-            "would cost \"model\": \"elastic\" in the drill's thread"};
+            "would cost \"model\": \"elastic\" in the drill's thread",
+            "lag of a free tail behind a hand at 2 Hz, share of its motion",
+            4 / (f1 * f1),
+            0.1};
+}
+
+bool is_on(const scenarios::world::ThreadDef& elastic, const std::string& effect) {
+    return effect == "bending" || (effect == "gravity" && elastic.weighs) || (effect == "extension" && elastic.stretches) ||
+           (effect == "plastic_set" && elastic.yield_strain > 0) || (effect == "inertia" && elastic.swings);
 }
 
 }  // namespace
@@ -200,12 +226,16 @@ std::vector<Effect> effects_of(const Drill& drill) {
             tear(rod),
             leak(drill),
             inertia(rod)};
-    if (drill.world.thread.model != "elastic") return all;
+    const auto& thread = drill.world.thread;
+    const bool elastic = thread.model == "elastic";
     for (Effect& effect : all) {
-        if (effect.name != "bending" && effect.name != "extension" && effect.name != "inertia") continue;
+        // Where nothing springs back, nothing needs to stay; and what ties no knot has none to keep.
+        if (effect.name == "plastic_set" && (!elastic || drill.goals.empty())) effect.needed_above.reset();
+        if (!elastic || !is_on(thread, effect.name)) continue;
         effect.on = true;
         effect.error = "simulated by the elastic thread; without it " + effect.error;
-        effect.cost = "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot";
+        effect.cost = effect.name == "bending" ? "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot"
+                                               : "nothing that could be told from timing beside the elastic thread itself: carrel bench speed, effects";
     }
     return all;
 }

@@ -17,13 +17,15 @@ std::string shown(double value) {
 
 void print_json(const scenarios::drill::Drill& drill) {
     nlohmann::ordered_json effects;
-    for (const auto& effect : effects_of(drill))
+    for (const auto& effect : effects_of(drill)) {
         effects.push_back({{"name", effect.name},
                            {"on", effect.on},
                            {"group", effect.group},
                            {"value", effect.value},
                            {"error", effect.error},
                            {"cost", effect.cost}});
+        if (!effect.predicted_of.empty()) effects.back().update({{"predicted_of", effect.predicted_of}, {"predicted", effect.predicted}});
+    }
     const nlohmann::ordered_json report = {{"effects", effects},
                                            {"drill", nlohmann::ordered_json::parse(drill.filled)}};
     std::cout << report.dump(2) << '\n';
@@ -31,9 +33,12 @@ void print_json(const scenarios::drill::Drill& drill) {
 
 void print(const scenarios::drill::Drill& drill) {
     std::cout << drill.title << "\n\n";
-    for (const auto& effect : effects_of(drill))
+    for (const auto& effect : effects_of(drill)) {
         std::cout << effect.name << ": " << (effect.on ? "on" : "off") << "\n    " << effect.group << " = "
-                  << shown(effect.value) << "\n    " << effect.error << "\n    " << effect.cost << '\n';
+                  << shown(effect.value) << "\n    " << effect.error << "\n    ";
+        if (!effect.predicted_of.empty()) std::cout << effect.predicted_of << ": " << shown(effect.predicted) << "\n    ";
+        std::cout << effect.cost << '\n';
+    }
     std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';
 }
 

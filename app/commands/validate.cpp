@@ -1,7 +1,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/effects.hpp"
 #include "app/fault.hpp"
 #include "app/play/scene.hpp"
 #include "scenarios/drill/drill.hpp"
@@ -11,13 +13,28 @@ namespace app {
 
 namespace {
 
-void check(const std::string& file) {
+// What the drill leaves out that its thread needs, each a sentence.
+std::vector<std::string> missed(const scenarios::drill::Drill& drill) {
+    std::vector<std::string> sentences;
+    for (const Effect& effect : effects_of(drill)) {
+        if (!effect.is_missed()) continue;
+        std::ostringstream text;
+        text.precision(3);
+        text << "/effects/" << effect.name << ": off, but " << effect.group << " is " << effect.value << ", above " << *effect.needed_above << ": " << effect.error;
+        sentences.push_back(text.str());
+    }
+    return sentences;
+}
+
+// Returns what to warn of.
+std::vector<std::string> check(const std::string& file) {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
     vessel_meshes(drill.world);
-    if (drill.motion.empty()) return;
+    if (drill.motion.empty()) return missed(drill);
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
     scenarios::drill::load_motion(drill.motion, names);
+    return missed(drill);
 }
 
 }  // namespace
@@ -32,8 +49,9 @@ int validate_command(const ValidateOptions& options) {
     nlohmann::ordered_json report = {{"drills", nlohmann::ordered_json::array()}};
     for (const std::string& file : options.files) {
         std::string error;
+        std::vector<std::string> warnings;
         try {
-            check(file);
+            warnings = check(file);
         } catch (const scenarios::drill::FileError& fault) {
             error = fault.what();
         } catch (const assets::AssetError& fault) {
@@ -45,6 +63,8 @@ int validate_command(const ValidateOptions& options) {
         valid &= error.empty();
         nlohmann::ordered_json entry = {{"file", file}, {"valid", error.empty()}};
         if (!error.empty()) entry["error"] = error;
+        if (!warnings.empty()) entry["warnings"] = warnings;
+        for (const std::string& warning : warnings) std::cerr << file << ": warning: " << warning << '\n';
         report["drills"].push_back(entry);
         if (!options.json && error.empty()) std::cout << file << ": valid\n";
     }

@@ -39,6 +39,7 @@ class Reader {
         read_instruments();
         read_vessels();
         read_thread();
+        read_effects();
         read_goals();
         read_bands();
         drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
@@ -118,6 +119,7 @@ class Reader {
         fallback("break_N", size.break_N);
         fallback("young_MPa", material.young_MPa);
         fallback("density_kg_m3", material.density_kg_m3);
+        if (material.yield_percent > 0) fallback("yield_percent", material.yield_percent);
         world::ThreadDef& thread = drill_.world.thread;
         thread.size = entry["size"];
         thread.material = entry["material"];
@@ -140,6 +142,27 @@ class Reader {
             document_.fail("/thread/shortest_link_mm", "links would be shorter than the thread is thick, expected 0 or at least " +
                                                            shown(1e3 * thread.diameter));
         read_start(entry);
+    }
+
+    // What is not written is as the model has it; another model may be asked for by who runs the drill.
+    void read_effects() {
+        json& entry = filled_["effects"];
+        world::ThreadDef& thread = drill_.world.thread;
+        const bool elastic = thread.model == "elastic";
+        const auto read = [&](const char* key, bool& on) {
+            if (entry.contains(key)) on = entry[key];
+            else entry[key] = elastic;
+        };
+        bool bends = elastic, sets = false;
+        read("gravity", thread.weighs), read("bending", bends), read("extension", thread.stretches), read("plastic_set", sets), read("inertia", thread.swings);
+        for (const char* key : {"gravity", "bending", "extension", "plastic_set", "inertia"})
+            if (!elastic && entry[key])
+                document_.fail(std::string("/effects/") + key, "a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread");
+        if (elastic && !bends) document_.fail("/effects/bending", "an elastic thread bends, expected true, or \"model\": \"ftl\" in the thread");
+        if (!sets) return;
+        if (!filled_["thread"].contains("yield_percent"))
+            document_.fail("/effects/plastic_set", "nothing is known of when " + thread.material + " yields, expected false, or \"yield_percent\" in the thread");
+        thread.yield_strain = 0.01 * filled_["thread"]["yield_percent"].get<double>();
     }
 
     void read_start(json& entry) {

@@ -77,6 +77,7 @@ Shape thread() {
          {"break_N", quantity("Tension at which a knotted thread breaks.", 0.01, 200, "N")},
          {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false, 0.15},
          {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false, 0.15},
+         {"yield_percent", quantity("Strain beyond which it stays as it is bent, where effects has plastic_set.", 0.1, 100, "%")},
          {"links", count("Straight pieces the thread is cut into.", 2, 5000), false, 300},
          {"shortest_link_mm",
           quantity("Where the thread bends or touches itself links are halved, down to this, and joined again where it is straight; 0: never. "
@@ -122,8 +123,13 @@ Shape instrument() {
 
 Shape effects() {
     const std::string only = "this version cannot simulate more, ";
-    std::vector<Key> keys;
-    for (const char* effect : {"gravity", "bending", "twist", "extension", "plastic_set", "tear", "leak"})
+    const auto flag = [](const std::string& about) { return Shape{.types = boolean, .about = about}; };
+    std::vector<Key> keys{{"gravity", flag("Weight of an elastic thread, towards -z; it falls where no tool and no vessel holds it."), false, false},
+                          {"bending", flag("Stiffness against bending. Default: as the thread's model has it, ftl off and elastic on.")},
+                          {"extension", flag("Stretch of the thread by its material; off, it stretches by next to nothing. Default: elastic on.")},
+                          {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
+                          {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")}};
+    for (const char* effect : {"twist", "tear", "leak"})
         keys.push_back({effect, {.types = boolean, .choices = {false}, .why_only = only}, false, false});
     keys.push_back({"tissue", choice("Deformation of vessels.", {"rigid"}, only), false, "rigid"});
     return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));

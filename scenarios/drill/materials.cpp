@@ -17,10 +17,10 @@ constexpr std::array<Size, 8> all_sizes = {{{"3-0", 0.225, 9.4},
                                             {"9-0", 0.035, 0.42},
                                             {"10-0", 0.025, 0.19}}};
 
-constexpr std::array<Material, 4> all_materials = {{{"polypropylene", 2800, 2800, 905},
-                                                    {"nylon", 2000, 2000, 1140},
-                                                    {"silk", 8700, 500, 1300},
-                                                    {"polyglactin", 9000, 500, 1500}}};
+constexpr std::array<Material, 4> all_materials = {{{"polypropylene", 2800, 2800, 905, 4},
+                                                    {"nylon", 2000, 2000, 1140, 0},
+                                                    {"silk", 8700, 500, 1300, 0},
+                                                    {"polyglactin", 9000, 500, 1500, 0}}};
 
 template <typename Table>
 const auto& named(const Table& table, const std::string& name) {

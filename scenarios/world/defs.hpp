@@ -18,6 +18,10 @@ struct ThreadDef {
     double young_modulus = 2.8e9;          ///< [Pa] along the thread,
     double bending_share = 1;              ///< and what of it counts in bending.
     double density = 905;                  ///< [kg/m^3]
+    double yield_strain = 0;               ///< Beyond it an elastic thread stays as it is bent; 0: never.
+    bool weighs = false;                   ///< An elastic thread has weight, towards -z;
+    bool stretches = true;                 ///< stretches by its material, or else by next to nothing;
+    bool swings = true;                    ///< has mass, or else is in balance in every tick.
     double break_force = 1.96;             ///< [N] USP minimum average knot-pull.
     double friction = 0.15;                ///< Coulomb, thread on thread and on vessel.
     double friction_tool = 0.15;           ///< Coulomb, thread on the smooth outside of a tool.

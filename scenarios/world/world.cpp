@@ -4,6 +4,15 @@
 
 namespace scenarios::world {
 
+static sim::thread::RodDef elastic(const ThreadDef& def) {
+    constexpr double g = 9.81;
+    sim::thread::RodDef rod{.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .keeps_shape = true,
+                            .quasi_static = !def.swings, .yield_strain = def.yield_strain};
+    if (def.stretches) rod.axial_over_bending = 0;
+    if (def.weighs) rod.gravity = {0, 0, -g};
+    return rod;
+}
+
 static sim::thread::Thread make_thread(const ThreadDef& def) {
     constexpr double quarter_pi = 0.78539816339744831;
     const double section = quarter_pi * def.diameter * def.diameter;
@@ -18,8 +27,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
         left -= length;
     }
     sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link};
-    if (def.model == "elastic")
-        thread.elastic = {.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .axial_over_bending = 0, .keeps_shape = true};
+    if (def.model == "elastic") thread.elastic = elastic(def);
     return {thread, sim::thread::resample(path, def.links)};
 }
 

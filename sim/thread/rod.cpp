@@ -10,6 +10,7 @@ namespace sim::thread {
 static constexpr double contact_over_axial = 0.1;
 
 double RodDef::bending_stiffness() const { return bending_share * young * 0.25 * std::numbers::pi * radius * radius * radius * radius; }
+double RodDef::yield_curvature() const { return 16 / (3 * std::numbers::pi) * yield_strain / radius; }
 double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
 double RodDef::axial_stiffness(double link) const {
     return axial_over_bending > 0 ? axial_over_bending * bending_stiffness() / (link * link) : young * std::numbers::pi * radius * radius;
@@ -64,7 +65,15 @@ void Rod::halve(std::size_t link) {
     for (auto* of_links : {&rest_, &now_.tension}) of_links->insert(of_links->begin() + static_cast<std::ptrdiff_t>(link), (*of_links)[link]);
 }
 
+// By the law of the lever, so that all but the two links between lie as they would have lain.
+void Rod::hand_on_natural_bend(std::size_t node) {
+    const double before = rest_[node - 1], after = rest_[node];
+    natural_[node - 1] += after / (before + after) * natural_[node];
+    natural_[node + 1] += before / (before + after) * natural_[node];
+}
+
 void Rod::join_at(std::size_t node) {
+    if (def_.yield_strain > 0) hand_on_natural_bend(node);
     rest_[node - 1] += rest_[node];
     for (auto* of_nodes : {&now_.nodes, &now_.velocity}) of_nodes->erase(of_nodes->begin() + static_cast<std::ptrdiff_t>(node));
     natural_.erase(natural_.begin() + static_cast<std::ptrdiff_t>(node));
@@ -218,7 +227,9 @@ void Rod::spread_between_held(std::vector<Vec3>& x) const {
 
 // A step too large for Newton's method is taken in halves, those in halves again: what it left is no place to go on from.
 RodReport Rod::step(const RodInput& input, double seconds, int most) {
-    return step_in_parts(input, seconds, most, 4);
+    const RodReport report = step_in_parts(input, seconds, most, 4);
+    take_set();
+    return report;
 }
 
 RodReport Rod::step_in_parts(const RodInput& input, double seconds, int most, int halvings) {
@@ -254,14 +265,14 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
     RodReport report;
     while (!is_settled(report) && report.iterations < most && improve()) ++report.iterations;
     settle_touches();
-    end();
+    find_velocity();
     return report;
 }
 
 void Rod::begin(const RodInput& input, double seconds) {
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
-    inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
+    inertia_ = seconds > 0 && def_.density > 0 && !def_.quasi_static ? 1 / (seconds * seconds) : 0;
     turn_ = input.turn;
     held_.assign(now_.nodes.size(), 0);
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
@@ -345,9 +356,24 @@ double Rod::go_by(double share, std::span<const Vec3> from, std::span<const doub
     return 0;
 }
 
-void Rod::end() {
+void Rod::find_velocity() {
     if (seconds_ > 0)
         for (std::size_t i = 0; i < now_.nodes.size(); ++i) now_.velocity[i] = (now_.nodes[i] - start_[i]) / seconds_;
+}
+
+// Natural bends follow, so that nowhere more than what yields is left to spring back.
+void Rod::take_set() {
+    if (def_.yield_strain == 0) return;
+    measure(now_.nodes, links_);
+    for (std::size_t i = 1; i < rest_.size(); ++i) {
+        const double springs = 0.5 * (rest_[i - 1] + rest_[i]) * def_.yield_curvature(), bend = (links_[i].along - links_[i - 1].along).norm();
+        natural_[i] = std::clamp(natural_[i], std::max(0.0, bend - springs), bend + springs);
+    }
+}
+
+void Rod::end() {
+    find_velocity();
+    take_set();
 }
 
 double Rod::tension(int link) const {

@@ -43,14 +43,16 @@ struct Rolling {
 struct RodReport {
     int iterations = 0;         ///< Newton steps.
     double residual = 0;        ///< Largest force on a node that is left unbalanced [N].
-    bool stable = true;         ///< Any small move would cost energy: it is not about to buckle.
+    /// Any small move would cost energy: it is not about to buckle. Told of it as if its natural bends were straight: false does not mean
+    /// that one which keeps sharp bends would move.
+    bool stable = true;
     bool settled = true;        ///< Stable, and balanced within the tolerance.
 };
 
 /// A bending, twisting, practically inextensible rod: discrete elastic rods (Bergou, Wardetzky, Robinson, Audoly and Grinspun 2008)
-/// of round cross-section, straight and untwisted when unloaded. Twist spreads evenly at once, as it does in so thin a rod
-/// (their section 5), so that nodes alone are unknown. One step of implicit Euler, by Newton's method on its energy with a direct
-/// solve (ChainMatrix): stable at any step and any stiffness. Cost: O(n) an iteration, and O(m^3) for m nodes that touch.
+/// of round cross-section, untwisted when unloaded, and straight but for what RodDef keeps. Twist spreads evenly at once, as it does in so
+/// thin a rod (their section 5), so that nodes alone are unknown. One step of implicit Euler, by Newton's method on its energy with a
+/// direct solve (ChainMatrix): stable at any step and any stiffness. Cost: O(n) an iteration, and O(m^3) for m nodes that touch.
 class Rod {
   public:
     /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
@@ -88,6 +90,7 @@ class Rod {
     std::span<const Vec3> nodes() const { return now_.nodes; }
     std::span<const Vec3> velocity() const { return now_.velocity; }  ///< [m/s]
     std::span<const double> rest_lengths() const { return rest_; }
+    std::span<const double> natural_bends() const { return natural_; }  ///< Of each node when unloaded, as the difference of its links' tangents.
     double tension(int link) const;        ///< [N], negative where it is pushed together.
     double twist_moment() const;           ///< [N m], the same all along.
     Vec3 hold_force(int node) const;       ///< What a hold pulled with in the last step [N].
@@ -156,6 +159,9 @@ class Rod {
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);
 
+    void find_velocity();
+    void take_set();
+    void hand_on_natural_bend(std::size_t node);
     RodReport step_in_parts(const RodInput& input, double seconds, int most, int halvings);
     RodReport try_step(const RodInput& input, double seconds, int most);
 

@@ -17,9 +17,15 @@ struct RodDef {
     /// Whether it is as it was made, bent by as much at each node as at first, when unloaded; else straight. About which axis a node
     /// bends is free, as in a round thread of which no end is kept from turning.
     bool keeps_shape = false;
+    bool quasi_static = false;       ///< Every step ends in equilibrium, as without density, but under its weight.
+    /// Strain beyond which a fibre stays as it is bent, [0, 1], 0: never. A round section all of whose fibres yield carries
+    /// 16 / (3 pi) of the moment at which the outermost begin to; here it springs up to that moment and gives way at it, where a true one
+    /// gives way little by little. Of bending alone: what a pull adds to the strain is left out.
+    double yield_strain = 0;
     geometry::Vec3 gravity = geometry::Vec3::Zero();  ///< [m/s^2]
 
     double bending_stiffness() const;   ///< B = E I [N m^2].
+    double yield_curvature() const;     ///< Most that it springs back by when let go of [1/m].
     double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
     double axial_stiffness(double link) const;  ///< [N], of links of this length.
     double most_pull() const;           ///< [N] at a strain of a tenth: no step pulls harder.

@@ -119,6 +119,8 @@ std::uint64_t Thread::hash() const {
     if (impl_->state.rod) {
         for (const Vec3& v : impl_->state.rod->velocity())
             for (int c = 0; c < 3; ++c) add(v[c]);
+        if (impl_->state.def.elastic->yield_strain > 0)
+            for (const double bend : impl_->state.rod->natural_bends()) add(bend);
         for (const Row& row : impl_->state.pressed) {
             add(row.normal_push);
             for (int c = 0; c < 3; ++c) add(row.tangent_push[c]);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program.hpp"
 #include "tests/scenarios/drill/sample.hpp"
 
 using app::Effect;
@@ -49,4 +50,49 @@ TEST(Effects, AnElasticThreadBendsStretchesAndSwings) {
     const std::string text = sample::with("\"size\": \"6-0\"", "\"size\": \"6-0\", \"model\": \"elastic\"");
     for (const char* name : {"bending", "extension", "inertia"}) EXPECT_TRUE(effect(name, text).on) << name;
     for (const char* name : {"gravity", "twist", "plastic_set"}) EXPECT_FALSE(effect(name, text).on) << name;
+}
+
+// What is written in the drill is what is on, each by itself.
+TEST(Effects, EachIsOnWhereTheDrillSaysSo) {
+    const auto on = [](const std::string& name, const std::string& effects) {
+        std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
+        return effect(name, text.replace(text.find("{\"gravity\": false}"), 18, effects)).on;
+    };
+    for (const char* name : {"gravity", "plastic_set"}) EXPECT_TRUE(on(name, "{\"" + std::string(name) + "\": true}")) << name;
+    for (const char* name : {"extension", "inertia"}) EXPECT_FALSE(on(name, "{\"" + std::string(name) + "\": false}")) << name;
+}
+
+// 300 mm of silk hang in 11 of its gravito-bending lengths, 20 mm of polypropylene in 0.4 of its own.
+TEST(Effects, IsMissedWhereTheThreadNeedsIt) {
+    const std::string limp = sample::with("\"size\": \"6-0\",\n    \"length_mm\": 150", "\"material\": \"silk\", \"length_mm\": 300");
+    EXPECT_TRUE(effect("gravity", limp).is_missed());
+    EXPECT_TRUE(effect("inertia", limp).is_missed());
+    EXPECT_FALSE(effect("extension", limp).is_missed());
+    EXPECT_FALSE(effect("gravity", sample::with("150", "20, \"links\": 50")).is_missed());
+    // Links of half a millimetre are shorter than a corner of polypropylene is round at 20 mN, links of 1.5 mm are not.
+    EXPECT_TRUE(effect("bending", sample::drill).is_missed());
+    EXPECT_FALSE(effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100")).is_missed());
+    // Tied by an elastic thread a knot springs open unless it is set; what ftl ties does not spring.
+    EXPECT_FALSE(effect("plastic_set", sample::drill).is_missed());
+    EXPECT_TRUE(effect("plastic_set", sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"")).is_missed());
+}
+
+// A warning is for the author's eyes: the drill stays valid, and what is printed for machines says the same.
+TEST(Effects, ValidateWarnsAndExitsAsBefore) {
+    const program::Folder folder;
+    const std::string file = folder.write("drill.json", sample::with("150", "300"));
+    const auto told = program::run({"validate", file});
+    EXPECT_EQ(told.exit, 0);
+    EXPECT_NE(told.said.find(file + ": warning: /effects/gravity: off, but L / (B / mg)^(1/3) is "), std::string::npos) << told.said;
+    const auto json = program::run({"validate", "--json", file});
+    EXPECT_EQ(json.exit, 0);
+    EXPECT_NE(json.out.find("\"warnings\""), std::string::npos) << json.out;
+}
+
+// Played by a model that has none of it, a drill would look as if what it asks for made no difference.
+TEST(Effects, FtlDoesNotPlayADrillThatAsksForMore) {
+    const program::Folder folder;
+    std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
+    text.replace(text.find("{\"gravity\": false}"), 18, "{\"gravity\": true}");
+    program::expect_one_line_naming("--thread ftl", program::run({"run", folder.write("drill.json", text), "--thread", "ftl"}));
 }

@@ -62,6 +62,29 @@ TEST(DrillLoader, CutsStartPathToLength) {
     EXPECT_DOUBLE_EQ(thread.length, 0.150);
 }
 
+// The drill with an elastic thread and these effects.
+std::string elastic(const std::string& effects, const std::string& more = "") {
+    std::string text = with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"" + more);
+    return text.replace(text.find("{\"gravity\": false}"), 18, effects);
+}
+
+// Off by the model's own default or by the author's word: each reaches the thread, and nothing else does.
+TEST(DrillLoader, ReadsEffectsOfAnElasticThread) {
+    const auto thread = [](const std::string& effects) { return parse_drill(elastic(effects), "a", "").world.thread; };
+    const auto usual = thread("{}");
+    EXPECT_FALSE(usual.weighs);
+    EXPECT_TRUE(usual.stretches && usual.swings);
+    EXPECT_EQ(usual.yield_strain, 0);
+    EXPECT_TRUE(thread("{\"gravity\": true}").weighs);
+    EXPECT_FALSE(thread("{\"extension\": false}").stretches);
+    EXPECT_FALSE(thread("{\"inertia\": false}").swings);
+    EXPECT_DOUBLE_EQ(thread("{\"plastic_set\": true}").yield_strain, 0.04);
+    for (const char* effects : {"{\"gravity\": true, \"inertia\": false, \"plastic_set\": true}", "{\"extension\": false}"}) {
+        const Drill drill = parse_drill(elastic(effects), "a", "");
+        EXPECT_EQ(parse_drill(drill.filled, "b", "").filled, drill.filled);
+    }
+}
+
 struct Case {
     std::string text, message;
 };
@@ -79,7 +102,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"links\", \"shortest_link_mm\", \"model\", \"start_mm\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"model\", \"start_mm\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),
@@ -102,7 +125,13 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:5:13: error: /thread/size: expected \"3-0\", \"4-0\", \"5-0\", \"6-0\", \"7-0\", \"8-0\", \"9-0\" or "
          "\"10-0\", found \"60\""},
         {with("\"gravity\": false", "\"gravity\": true"),
-         "a.json:16:26: error: /effects/gravity: this version cannot simulate more, expected false, found true"},
+         "a.json:16:26: error: /effects/gravity: a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread"},
+        {with("\"gravity\": false", "\"twist\": true"),
+         "a.json:16:24: error: /effects/twist: this version cannot simulate more, expected false, found true"},
+        {elastic("{\"bending\": false}"),
+         "a.json:16:26: error: /effects/bending: an elastic thread bends, expected true, or \"model\": \"ftl\" in the thread"},
+        {elastic("{\"plastic_set\": true}", ", \"material\": \"silk\""),
+         "a.json:16:30: error: /effects/plastic_set: nothing is known of when silk yields, expected false, or \"yield_percent\" in the thread"},
         {with("\"gravity\": false", "\"tissue\": \"elastic\""),
          "a.json:16:25: error: /effects/tissue: this version cannot simulate more, expected \"rigid\", found "
          "\"elastic\""},
