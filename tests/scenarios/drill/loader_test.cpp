@@ -194,7 +194,7 @@ TEST(DrillLoader, PlacesSurviveUnusualText) {
 
 // Each committed drill must load, or the first thing a newcomer runs fails.
 TEST(DrillLoader, CommittedDrillsLoad) {
-    for (const std::string name : {"square-knot", "granny-knot", "surgeons-knot"}) {
+    for (const std::string name : {"square-knot", "granny-knot", "surgeons-knot", "assisted-square-knot"}) {
         SCOPED_TRACE(name);
         const Drill drill = load_drill(std::string(CARREL_SOURCE) + "/scenarios/drills/" + name + ".json");
         ASSERT_EQ(drill.goals.size(), 1u);
