@@ -9,12 +9,6 @@ namespace sim::thread {
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-static void look(State& state, double way) {
-    look_around(state, way);
-    measure_gaps(state, way);
-    aim(state);
-}
-
 // The largest share of the step that leaves every node within its bound, no contact's points farther along each other than links see
 // straight, and what was too far to push just touching.
 static double share_within_bounds(const State& state) {
@@ -81,18 +75,21 @@ static double step(State& state, double left, const Motion& motion, TickReport& 
     const double way = std::max(0.5 * state.def.radius, left * motion.most());
     state.before = state.nodes;
     state.capsules_before = state.capsules;
-    look(state, way);
+    look_around(state, way);
+    measure_tool_gaps(state);
     const double tools = share_of_tools(state, left, motion);
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
         state.moved += largest_capsule_move(state);
-        look(state, way);
+        look_around(state, way);
     }
+    measure_gaps(state, way);
+    aim(state);
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : state.targets) hold.target = state.nodes[at(hold.node)] + tools * (hold.target - state.nodes[at(hold.node)]);
-    rod.find_free_step(state.targets, state.pairs, state.rolling, state.touching);
+    rod.find_free_step(state.targets, state.pairs, state.rolling);
     report.sweeps += solve_presses(state);
     add_changes(state);
     const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);
@@ -104,12 +101,15 @@ static double step(State& state, double left, const Motion& motion, TickReport& 
 
 void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr int most_steps = 8;
+    constexpr std::size_t most_pressed = 50;  // contacts, all steps together, before the last: a step with so many takes half of a tick of 1 ms
     Rod& rod = *state.rod;
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
     double left = 1;
-    for (int i = 0; i < most_steps && left > 0 && !(i > 0 && rod.is_taut()); ++i) {
+    std::size_t pressed = 0;
+    for (int i = 0; i < most_steps && pressed < most_pressed && left > 0 && !(i > 0 && rod.is_taut()); ++i) {
         left = step(state, left, motion, report);
         end_step(state, report);
+        pressed += state.presses.size();
     }
     rod.end();
     for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = rod.tension(k);

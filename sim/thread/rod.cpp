@@ -260,7 +260,6 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
     spread_between_held(trial_);
     accept(trial_);
     find_touches(input.bodies);
-    touching_.clear();
     due_.clear();
     RodReport report;
     while (!is_settled(report) && report.iterations < most && improve()) ++report.iterations;
@@ -307,9 +306,8 @@ double Rod::improve() {
 
 // Nothing of how forces turn with the nodes but what stiffens: pressed by others a rod balances in many shapes in which it alone would
 // not.
-void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling, std::span<const int> touching) {
+void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     lead(targets);
-    touching_.assign(touching.begin(), touching.end());
     assemble(Keep::positive, pairs, rolling);
     matrix_.factor();
     find_newton_step();

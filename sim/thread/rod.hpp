@@ -65,10 +65,9 @@ class Rod {
 
     /// The same in stages, for who knows what the rod touches. `input.holds` say which nodes are held.
     void begin(const RodInput& input, double seconds);
-    /// The step to where it and these forces balance to first order, with held nodes going to `targets`. `touching`: nodes whose
-    /// answers to forces are asked for, increasing and each beside another one.
-    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling, std::span<const int> touching);
-    /// Its touching_inverse() is what a unit force on touching nodes moves them by [m/N].
+    /// The step to where it and these forces balance to first order, with held nodes going to `targets`.
+    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling);
+    /// Its inverse is what a unit force on nodes moves them by [m/N].
     ChainMatrix& matrix() { return matrix_; }
     /// The step so far [m].
     std::span<const Vec3> step_found() const { return newton_; }
@@ -191,7 +190,6 @@ class Rod {
     std::vector<MovingCapsule> bodies_;
     double seconds_ = 0, tolerance_ = 0;
     std::vector<Link> links_, tried_;
-    std::vector<int> touching_;
     std::vector<double> foreseen_, lengths_, pivot_, upper_, shorten_;
     ChainMatrix matrix_;
 };
