@@ -75,18 +75,12 @@ static void set_progress(State& state, double progress) {
     place_capsules(state);
 }
 
-// Tools first, as far as they may go, then the thread, and what it holds with it. Returns what is left of the tick's motion.
-static double step(State& state, double left, const Motion& motion, TickReport& report) {
+// Tools first, by this share of what is left of their motion, then what the thread answers to first order.
+static void answer(State& state, double left, double tools, const Motion& motion, TickReport& report) {
     Rod& rod = *state.rod;
-    const double way = std::max(0.5 * state.def.radius, left * motion.most());
-    state.before = state.nodes;
-    state.capsules_before = state.capsules;
-    look(state, way);
-    const double tools = share_of_tools(state, left, motion);
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
-        state.moved += largest_capsule_move(state);
-        look(state, way);
+        look(state, std::max(0.5 * state.def.radius, left * motion.most()));
     }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     find_presses(state);
@@ -95,20 +89,44 @@ static double step(State& state, double left, const Motion& motion, TickReport& 
     rod.find_free_step(state.targets, state.pairs, state.rolling, state.touching);
     report.sweeps += solve_presses(state);
     add_changes(state);
-    const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);
+}
+
+/// Of a tick.
+struct Left {
+    double motion = 1;    ///< Share that tools have still to make.
+    bool is_taut = false;  ///< They wait: they pulled as hard as any may.
+};
+
+// Where the answer would pull a link harder than any may tools wait, and the thread answers without them: one that stopped with them
+// could not even give way. What would then still be pulled too hard, as by the way it bends, does stop it.
+static Left step(State& state, double left, const Motion& motion, TickReport& report) {
+    Rod& rod = *state.rod;
+    state.before = state.nodes;
+    state.capsules_before = state.capsules;
+    look(state, std::max(0.5 * state.def.radius, left * motion.most()));
+    double tools = share_of_tools(state, left, motion);
+    answer(state, left, tools, motion, report);
+    double may_pull = rod.share_within_pull();
+    const bool is_taut = may_pull < 1;
+    if (is_taut) {
+        answer(state, left, tools *= may_pull, motion, report);
+        may_pull = rod.share_within_pull();
+    }
+    if (motion.of_capsules > 0) state.moved += largest_capsule_move(state);
+    const double share = rod.go_by(std::min(may_pull, share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;
     set_progress(state, 1 - left);
-    return left;
+    return {left, is_taut};
 }
 
 void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr int most_steps = 8;
     Rod& rod = *state.rod;
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
-    double left = 1;
-    for (int i = 0; i < most_steps && left > 0 && !(i > 0 && rod.is_taut()); ++i) {
-        left = step(state, left, motion, report);
+    Left left;
+    for (int i = 0; i < most_steps && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
+        left = step(state, left.motion, motion, report);
         end_step(state, report);
     }
     rod.end();

@@ -323,8 +323,8 @@ void Rod::add_forces(const std::vector<Vec3>& forces) {
     for (std::size_t i = 0; i < spread_.size(); ++i) newton_[i] += spread_[i];
 }
 
-// What of the step pulls no link harder than any may be.
-double Rod::share_within_pull() const {
+double Rod::share_within_pull() {
+    foresee_tensions();
     const double most = def_.most_pull();
     double share = 1;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
@@ -338,9 +338,7 @@ double Rod::go_by(double share, std::span<const Vec3> from, std::span<const doub
     const double largest = largest_turn();
     if (!std::isfinite(largest)) return 0;
     foresee_tensions();
-    const double may_pull = share_within_pull();
-    is_taut_ = may_pull < share;
-    share = std::min({share, may_pull, most_turn / largest});
+    share = std::min(share, most_turn / largest);
     const auto is_within = [&] {
         for (std::size_t i = 0; i < trial_.size(); ++i)
             if ((trial_[i] - from[i]).squaredNorm() > bound[i] * bound[i]) return false;
