@@ -62,11 +62,22 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
+// What of its motion leaves a tool no farther in the thread than any may be, whatever the thread answers.
+static double share_into(const State& state, const Row& row) {
+    const MovingCapsule& tool = state.input.capsules[at(row.other)];
+    const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
+    constexpr double linear = 0.9;  // of it; the rest is for turns
+    const double room = std::max(0.0, row.distance - row.thickness + linear * steel_limit * 2 * state.def.radius);
+    return into > room ? room / into : 1;
+}
+
 // What share of the motion that is left tools may make before we look again.
 static double share_of_tools(const State& state, double left, const Motion& motion) {
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
+    for (const Row& row : state.rows)
+        if (row.against == Against::capsule) share = std::min(share, share_into(state, row));
     return share / left;
 }
 

@@ -152,6 +152,7 @@ class Rod {
     double improve();
     void spread_between_held(std::vector<Vec3>& x) const;
     double largest_turn() const;
+    bool pulls_within(const std::vector<Vec3>& x) const;
     void foresee_tensions();
     void try_share(double share);
     void take_trial(double share);
