@@ -66,7 +66,7 @@ static void add_changes(State& state) {
 static double share_into(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
-    constexpr double linear = 0.9;  // of it; the rest is for turns
+    constexpr double linear = 0.8;  // of it; the rest is for turns, and for thread that another tool presses in
     const double room = std::max(0.0, row.distance - row.thickness + linear * steel_limit * 2 * state.def.radius);
     return into > room ? room / into : 1;
 }
