@@ -56,11 +56,22 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
+// What of its motion leaves a tool no farther in the thread than any may be, whatever the thread answers.
+static double share_into(const State& state, const Row& row) {
+    const MovingCapsule& tool = state.input.capsules[at(row.other)];
+    const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
+    constexpr double linear = 0.8;  // of it; the rest is for turns, and for thread that another tool presses in
+    const double room = std::max(0.0, row.distance - row.thickness + linear * steel_limit * 2 * state.def.radius);
+    return into > room ? room / into : 1;
+}
+
 // What share of the motion that is left tools may make before we look again.
 static double share_of_tools(const State& state, double left, const Motion& motion) {
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
+    for (const Row& row : state.rows)
+        if (row.against == Against::capsule) share = std::min(share, share_into(state, row));
     return share / left;
 }
 
@@ -69,18 +80,14 @@ static void set_progress(State& state, double progress) {
     place_capsules(state);
 }
 
-// Tools first, as far as they may go, then the thread, and what it holds with it. Returns what is left of the tick's motion.
-static double step(State& state, double left, const Motion& motion, TickReport& report) {
+static double way_of_step(const State& state, double left, const Motion& motion) { return std::max(0.5 * state.def.radius, left * motion.most()); }
+
+// Tools first, by this share of what is left of their motion, then what the thread answers to first order.
+static void answer(State& state, double left, double tools, const Motion& motion, TickReport& report) {
     Rod& rod = *state.rod;
-    const double way = std::max(0.5 * state.def.radius, left * motion.most());
-    state.before = state.nodes;
-    state.capsules_before = state.capsules;
-    look_around(state, way);
-    measure_tool_gaps(state);
-    const double tools = share_of_tools(state, left, motion);
+    const double way = way_of_step(state, left, motion);
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
-        state.moved += largest_capsule_move(state);
         look_around(state, way);
     }
     measure_gaps(state, way);
@@ -92,11 +99,36 @@ static double step(State& state, double left, const Motion& motion, TickReport& 
     rod.find_free_step(state.targets, state.pairs, state.rolling);
     report.sweeps += solve_presses(state);
     add_changes(state);
-    const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);
+}
+
+/// Of a tick.
+struct Left {
+    double motion = 1;    ///< Share that tools have still to make.
+    bool is_taut = false;  ///< They wait: they pulled as hard as any may.
+};
+
+// Where the answer would pull a link harder than any may tools wait, and the thread answers without them: one that stopped with them
+// could not even give way. What would then still be pulled too hard, as by the way it bends, does stop it.
+static Left step(State& state, double left, const Motion& motion, TickReport& report) {
+    Rod& rod = *state.rod;
+    state.before = state.nodes;
+    state.capsules_before = state.capsules;
+    look_around(state, way_of_step(state, left, motion));
+    measure_tool_gaps(state);
+    double tools = share_of_tools(state, left, motion);
+    answer(state, left, tools, motion, report);
+    double may_pull = rod.share_within_pull();
+    const bool is_taut = may_pull < 1;
+    if (is_taut) {
+        answer(state, left, tools *= may_pull, motion, report);
+        may_pull = rod.share_within_pull();
+    }
+    if (motion.of_capsules > 0) state.moved += largest_capsule_move(state);
+    const double share = rod.go_by(std::min(may_pull, share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;
     set_progress(state, 1 - left);
-    return left;
+    return {left, is_taut};
 }
 
 void elastic_tick(State& state, const Motion& motion, TickReport& report) {
@@ -104,10 +136,10 @@ void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr std::size_t most_pressed = 50;  // contacts, all steps together, before the last: a step with so many takes half of a tick of 1 ms
     Rod& rod = *state.rod;
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
-    double left = 1;
+    Left left;
     std::size_t pressed = 0;
-    for (int i = 0; i < most_steps && pressed < most_pressed && left > 0 && !(i > 0 && rod.is_taut()); ++i) {
-        left = step(state, left, motion, report);
+    for (int i = 0; i < most_steps && pressed < most_pressed && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
+        left = step(state, left.motion, motion, report);
         end_step(state, report);
         pressed += state.presses.size();
     }

@@ -73,10 +73,11 @@ class Rod {
     std::span<const Vec3> step_found() const { return newton_; }
     /// Adds what these forces on all nodes [N] change about the step.
     void add_forces(const std::vector<Vec3>& forces);
+    /// What of the step pulls no link harder than RodDef::most_pull.
+    double share_within_pull();
     /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within `bound` of
     /// where it is in `from`; returns what it made.
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
-    bool is_taut() const { return is_taut_; }  ///< Whether that stopped where a link would have been pulled harder than RodDef::most_pull.
     void end();
 
     /// Between steps: a link cut at its middle, and two links made one where they meet. resize() after the last of them.
@@ -150,7 +151,7 @@ class Rod {
     double improve();
     void spread_between_held(std::vector<Vec3>& x) const;
     double largest_turn() const;
-    double share_within_pull() const;
+    bool pulls_within(const std::vector<Vec3>& x) const;
     void foresee_tensions();
     void try_share(double share);
     void take_trial(double share);
@@ -185,7 +186,6 @@ class Rod {
     std::vector<Vec3> start_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;
-    bool is_taut_ = false;
     double inertia_ = 0;                   // [1/s^2]
     std::vector<MovingCapsule> bodies_;
     double seconds_ = 0, tolerance_ = 0;
