@@ -65,13 +65,21 @@ static double share_into(const State& state, const Row& row) {
     return into > room ? room / into : 1;
 }
 
+// Whether the tool holds an end of the link.
+static bool goes_along(const State& state, const Row& row) {
+    const auto& holds = state.input.holds;
+    for (std::size_t h = 0; h < holds.size(); ++h)
+        if (state.input.hold_owners[h] == state.input.capsules[at(row.other)].owner && (holds[h].node == row.link || holds[h].node == row.link + 1)) return true;
+    return false;
+}
+
 // What share of the motion that is left tools may make before we look again.
 static double share_of_tools(const State& state, double left, const Motion& motion) {
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
     for (const Row& row : state.rows)
-        if (row.against == Against::capsule) share = std::min(share, share_into(state, row));
+        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_into(state, row));
     return share / left;
 }
 
