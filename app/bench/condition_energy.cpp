@@ -34,13 +34,17 @@ std::vector<double> energies(const Scene& scene, const Trace& trace, const Condi
     return all;
 }
 
+double of_first(double energy, const std::vector<double>& energies) {
+    return energies.empty() || energies.front() == 0 ? 0 : energy / energies.front();
+}
+
 double rise(const std::vector<double>& energies) {
     double most = 0;
     for (std::size_t i = 1; i < energies.size(); ++i) most = std::max(most, energies[i] - energies[i - 1]);
-    return energies.front() > 0 ? most / energies.front() : 0;
+    return of_first(most, energies);
 }
 
-double left(const std::vector<double>& energies) { return energies.front() > 0 ? energies.back() / energies.front() : 0; }
+double left(const std::vector<double>& energies) { return energies.empty() ? 0 : of_first(energies.back(), energies); }
 
 using S = const Scene&;
 using T = const Trace&;

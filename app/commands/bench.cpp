@@ -6,6 +6,7 @@
 #include "app/bench/speed.hpp"
 #include "app/bench/speed_vs_error.hpp"
 #include "app/bench/stability.hpp"
+#include "app/bench/ties.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
@@ -33,6 +34,7 @@ constexpr Known suites[] = {
     {"speed-vs-error", bench::speed_vs_error_suite},
     {"accuracy", bench::accuracy_suite},
     {"stability", stability},
+    {"elastic-ties", bench::elastic_ties_suite},
     {"knots", naming},
 };
 

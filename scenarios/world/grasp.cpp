@@ -138,8 +138,8 @@ Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
     return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
 }
 
-// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip; along itself where it leaves the jaws, by a
-// link at most.
+// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip; along itself where it leaves the jaws, by
+// its radius a tick at most.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
     const int last = static_cast<int>(thread_.tension().size()) - 1, inner = ahead ? grasp.first + grasp.count - 1 : grasp.first;
@@ -150,7 +150,7 @@ Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * tight;
     const Vec3 along = grasp.count > 1 ? at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)
                                        : at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner);
-    return std::min(slide, at(thread_.rest_lengths(), link)) * along.normalized();
+    return std::min(slide, thread_.def().radius) * along.normalized();
 }
 
 // Jaws hold up to their grip force. Beyond it the strand slides between them along itself by just so much that the
@@ -170,7 +170,9 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     for (int k = std::max(0, grasp.first - 1); k <= std::min(last, grasp.first + grasp.count); ++k) {
         const bool was_held = k >= grasp.first && k < grasp.first + grasp.count;
         if (!was_held && is_held(k)) continue;
-        const Vec3 place = shift + (was_held ? grasp.anchor[static_cast<std::size_t>(k - grasp.first)] : in_tool(tool.now, at(nodes, k)));
+        // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
+        const bool from_anchor = was_held && !is_elastic();
+        const Vec3 place = shift + (from_anchor ? grasp.anchor[static_cast<std::size_t>(k - grasp.first)] : in_tool(tool.now, at(nodes, k)));
         const double half_link = 0.5 * thread_.rest_lengths()[static_cast<std::size_t>(std::min(k, last - 1))];
         if (std::abs(place.y()) > tool.shape.jaw_radius + 2 * half_link || !room.holds({0, 0, place.z()}, 0)) continue;
         if (shifted.count == Grasp::most || (shifted.count > 0 && k != shifted.first + shifted.count)) break;

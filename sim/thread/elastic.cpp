@@ -123,16 +123,15 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
     state.capsules_before = state.capsules;
     look_around(state, way_of_step(state, left, motion));
     measure_tool_gaps(state);
+    constexpr double by_tools = 0.99;  // of the most pull; the rest is for what the thread does by itself
+    const double most = rod.def().most_pull();
     double tools = share_of_tools(state, left, motion);
     answer(state, left, tools, motion, report);
-    double may_pull = rod.share_within_pull();
+    const double may_pull = rod.share_within(by_tools * most);
     const bool is_taut = may_pull < 1;
-    if (is_taut) {
-        answer(state, left, tools *= may_pull, motion, report);
-        may_pull = rod.share_within_pull();
-    }
+    if (is_taut) answer(state, left, tools *= may_pull, motion, report);
     if (motion.of_capsules > 0) state.moved += largest_capsule_move(state);
-    const double share = rod.go_by(std::min(may_pull, share_within_bounds(state)), state.before, state.bound);
+    const double share = rod.go_by(std::min(rod.share_within(most), share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;
     set_progress(state, 1 - left);

@@ -322,9 +322,8 @@ void Rod::add_forces(const std::vector<Vec3>& forces) {
     for (std::size_t i = 0; i < spread_.size(); ++i) newton_[i] += spread_[i];
 }
 
-double Rod::share_within_pull() {
+double Rod::share_within(double most) {
     foresee_tensions();
-    const double most = def_.most_pull();
     double share = 1;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double now = tension(static_cast<int>(k)), then = foreseen_[k];

@@ -73,8 +73,8 @@ class Rod {
     std::span<const Vec3> step_found() const { return newton_; }
     /// Adds what these forces on all nodes [N] change about the step.
     void add_forces(const std::vector<Vec3>& forces);
-    /// What of the step pulls no link harder than RodDef::most_pull.
-    double share_within_pull();
+    /// What of the step pulls or pushes no link harder than `most` [N].
+    double share_within(double most);
     /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within `bound` of
     /// where it is in `from`; returns what it made.
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
