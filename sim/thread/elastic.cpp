@@ -56,12 +56,13 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
-// What of its motion leaves a tool no farther in the thread than any may be, whatever the thread answers.
+// What of its motion a tool may make where it presses on a link: a radius while it is hardly in it, for the link answers within the step;
+// where that left it farther in, no farther than any may be.
 static double share_into(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
-    constexpr double linear = 0.8;  // of it; the rest is for turns, and for thread that another tool presses in
-    const double room = std::max(0.0, row.distance - row.thickness + linear * steel_limit * 2 * state.def.radius);
+    const double depth = row.thickness - row.distance, most = 0.8 * steel_limit * 2 * state.def.radius;  // the rest is for turns
+    const double room = depth < 0.6 * most ? state.def.radius : std::max(0.0, most - depth);
     return into > room ? room / into : 1;
 }
 
