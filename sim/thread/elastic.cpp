@@ -56,13 +56,13 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
-// What of its motion a tool may make where it presses on a link: a radius while it is hardly in it, for the link answers within the step;
-// where that left it farther in, no farther than any may be.
+// What of its motion a tool may make where it presses on a link: all that any may be in it while it hardly is, for the link answers within
+// the step; where that left it farther in, no farther than any may be.
 static double share_into(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
     const double depth = row.thickness - row.distance, most = 0.8 * steel_limit * 2 * state.def.radius;  // the rest is for turns
-    const double room = depth < 0.6 * most ? state.def.radius : std::max(0.0, most - depth);
+    const double room = depth < 0.6 * most ? most : std::max(0.0, most - depth);
     return into > room ? room / into : 1;
 }
 
@@ -141,15 +141,15 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
 
 void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr int most_steps = 8;
-    constexpr std::size_t most_pressed = 50;  // contacts, all steps together, before the last: a step with so many takes half of a tick of 1 ms
+    const int enough = state.def.contacts_per_tick;
     Rod& rod = *state.rod;
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
     Left left;
-    std::size_t pressed = 0;
-    for (int i = 0; i < most_steps && pressed < most_pressed && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
+    int pressed = 0;
+    for (int i = 0; i < most_steps && (enough == 0 || pressed < enough) && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
         left = step(state, left.motion, motion, report);
         end_step(state, report);
-        pressed += state.presses.size();
+        pressed += static_cast<int>(state.presses.size());
     }
     rod.end();
     for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = rod.tension(k);
