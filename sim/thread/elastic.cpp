@@ -91,6 +91,7 @@ static void answer(State& state, double left, double tools, const Motion& motion
     Rod& rod = *state.rod;
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
+        state.moved += largest_capsule_move(state);
         look(state, std::max(0.5 * state.def.radius, left * motion.most()));
     }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
@@ -122,7 +123,6 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
     const double may_pull = rod.share_within(by_tools * most);
     const bool is_taut = may_pull < 1;
     if (is_taut) answer(state, left, tools *= may_pull, motion, report);
-    if (motion.of_capsules > 0) state.moved += largest_capsule_move(state);
     const double share = rod.go_by(std::min(rod.share_within(most), share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;
