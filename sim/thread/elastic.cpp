@@ -97,6 +97,7 @@ static void answer(State& state, double left, double tools, const Motion& motion
     const double way = way_of_step(state, left, motion);
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
+        state.moved += largest_capsule_move(state);
         look_around(state, way);
     }
     measure_gaps(state, way);
@@ -131,7 +132,6 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
     const double may_pull = rod.share_within(by_tools * most);
     const bool is_taut = may_pull < 1;
     if (is_taut) answer(state, left, tools *= may_pull, motion, report);
-    if (motion.of_capsules > 0) state.moved += largest_capsule_move(state);
     const double share = rod.go_by(std::min(rod.share_within(most), share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;

@@ -13,8 +13,9 @@ double RodDef::bending_stiffness() const { return bending_share * young * 0.25 *
 double RodDef::yield_curvature() const { return 16 / (3 * std::numbers::pi) * yield_strain / radius; }
 double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
 double RodDef::axial_stiffness(double link) const {
-    const double shorter = std::max(1.0, 0.5 * radius / link);
-    return axial_over_bending > 0 ? axial_over_bending * bending_stiffness() / (link * link) : young * std::numbers::pi * radius * radius * shorter * shorter;
+    if (axial_over_bending > 0) return axial_over_bending * bending_stiffness() / (link * link);
+    const double shorter = std::max(1.0, 0.5 * radius / link);  // than where it would stretch rather than bend
+    return young * std::numbers::pi * radius * radius * shorter * shorter;
 }
 double RodDef::most_pull() const { return 0.1 * young * std::numbers::pi * radius * radius; }
 // Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
