@@ -16,25 +16,29 @@ using Place = std::array<int, 3>;  // of a node in the grid: along, around, thro
 constexpr double degree = EIGEN_PI / 180;
 
 // The six orders in which three edges lead from a corner of a cell to the opposite one, each a tetrahedron (Kuhn 1960).
-constexpr int paths[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+constexpr int paths[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};  // the last three go round the other way
 constexpr std::size_t opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};  // seen from outside
 
-// Adds one cell after another; node(place) tells a node's number, side(places) whose surface three of them are on, if any.
+// Adds one cell after another; node(place) tells a node's number, side(places) whose surface three of them are on, if any. `turns_left`: the
+// axes along, around and through of the grid are a left-handed system.
 template <class Node, class Side>
-void add_cell(Mesh& mesh, const Place& cell, const Node& node, const Side& side) {
-    for (const auto& path : paths) {
-        // Every other cell is mirrored, so that diagonals meet on the faces between them and none prevails.
+void add_cell(Mesh& mesh, const Place& cell, bool turns_left, const Node& node, const Side& side) {
+    // Every other cell is mirrored, so that diagonals meet on the faces between them and none prevails. Two axes change places where that would
+    // turn tetrahedra inside out, so that all cells are split alike.
+    const bool mirrored = (cell[0] + cell[1] + cell[2]) & 1;
+    for (std::size_t way = 0; way < 6; ++way) {
+        const auto& path = paths[way];
         Place corner = cell;
         for (std::size_t k = 0; k < 3; ++k) corner[k] += cell[k] & 1;
         std::array<Place, 4> places{corner};
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<std::size_t>(path[k]);
+            const auto axis = static_cast<std::size_t>(mirrored && path[k] < 2 ? 1 - path[k] : path[k]);
             corner[axis] += cell[axis] & 1 ? -1 : 1;
             places[k + 1] = corner;
         }
+        if ((way >= 3) != turns_left) std::swap(places[2], places[3]);
         Tetrahedron tet;
         for (std::size_t k = 0; k < 4; ++k) tet[k] = node(places[k]);
-        if (volume(tet, mesh.nodes) < 0) std::swap(tet[2], tet[3]), std::swap(places[2], places[3]);
         mesh.tetrahedra.push_back(tet);
         for (const auto& [a, b, c] : opposite)
             if (const auto found = side(places[a], places[b], places[c])) mesh.faces.push_back({{tet[a], tet[b], tet[c]}, *found});
@@ -103,7 +107,7 @@ Mesh make_tube(const TubeDef& def) {
     };
     for (int i = 0; i < along; ++i)
         for (int a = 0; a < def.around; ++a)
-            for (int t = 0; t < def.through; ++t) add_cell(mesh, {i, a, t}, node, side);
+            for (int t = 0; t < def.through; ++t) add_cell(mesh, {i, a, t}, true, node, side);
     return mesh;
 }
 
@@ -120,7 +124,7 @@ Mesh make_box(std::array<int, 3> counts, double edge) {
     };
     for (int i = 0; i < counts[0]; ++i)
         for (int j = 0; j < counts[1]; ++j)
-            for (int k = 0; k < counts[2]; ++k) add_cell(mesh, {i, j, k}, node, side);
+            for (int k = 0; k < counts[2]; ++k) add_cell(mesh, {i, j, k}, false, node, side);
     return mesh;
 }
 

@@ -1,0 +1,102 @@
+// The stiffness of a wall, put together and factored a slice a step.
+#include <algorithm>
+#include <limits>
+
+#include "tissue/tissue.hpp"
+
+namespace tissue {
+
+namespace {
+
+using Block = BlockMatrix::Block;
+
+Block cross_matrix(const Vec3& w) {
+    Block block;
+    block << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+    return block;
+}
+
+}  // namespace
+
+// Of four cells about as much as so many block products, of a node's row of constant numbers a tenth of it.
+static constexpr long cell_work = 4 * 90, node_work = 9;
+
+long Tissue::assembly_work() const {
+    return cell_work * static_cast<long>(cells_.size()) + node_work * static_cast<long>(x_.size());
+}
+
+void Tissue::begin_factor() {
+    matrix_.clear();
+    factored_x_ = x_, factored_free_ = free_, factored_rate_ = rate_;
+    for (std::size_t c = 0; c < cells_.size(); ++c) factored_pressure_[c] = pressure(c);
+    assembled_ = 0;
+    factoring_ = true;
+}
+
+// What is held gets its own stiffness and no coupling: solves leave it out, and should it be let go they still know how stiff it is.
+void Tissue::add_block(int a, int b, BlockMatrix::Place place, const Block& block) {
+    const Vec3 &free_a = factored_free_[static_cast<std::size_t>(a)], &free_b = factored_free_[static_cast<std::size_t>(b)];
+    if (free_a.minCoeff() > 0 && free_b.minCoeff() > 0) return matrix_.add(place, block);
+    Block kept = free_a.asDiagonal() * block * free_b.asDiagonal();
+    if (a == b) kept.diagonal() = block.diagonal();
+    matrix_.add(place, kept);
+}
+
+// Elasticity that changes with nothing, damping and inertia.
+void Tissue::assemble_node(int i) {
+    const double stiff = material_.shear() + material_.viscosity() * factored_rate_;
+    const auto neighbours = laplacian_.neighbours(i);
+    const auto weights = laplacian_.weights(i);
+    for (std::size_t k = 0; k < neighbours.size(); ++k) {
+        const int j = neighbours[k];
+        if (j > i) continue;
+        Block block = Block::Identity() * stiff * weights[k];
+        if (j == i) block.diagonal().array() += factored_rate_ * factored_rate_ * mass_[static_cast<std::size_t>(i)];
+        add_block(i, j, row_places_[static_cast<std::size_t>(i)][k], block);
+    }
+}
+
+void Tissue::assemble_cells(std::size_t c) {
+    const Cells& cells = cells_[c];
+    const Volumes& found = factored_volumes_[c] = volumes(cells, factored_x_);
+    const Lane p = factored_pressure_[c], k = stiff() / cells.rest_volume;
+    std::array<Lanes, Cells::most_pairs> edges{};
+    if (whole_) edges = second_derivatives(cells, factored_x_);
+    for (std::size_t used = 0; used < cells.used; ++used) {
+        const auto lane = static_cast<Eigen::Index>(used);
+        const auto of = [&](const Lanes& v) { return Vec3(v.x[lane], v.y[lane], v.z[lane]); };
+        for (std::size_t b = 0; b < cells.count; ++b) {
+            const Vec3 by = k[lane] * of(found.gradient[b]);
+            add_block(cells.nodes[b][used], cells.nodes[b][used], own_places_[c][used][b], of(found.gradient[b]) * by.transpose());
+            for (std::size_t a = 0; a < b; ++a) {
+                Block block = of(found.gradient[a]) * by.transpose();
+                if (whole_) block += cross_matrix(p[lane] * of(edges[pair(a, b)]));
+                add_block(cells.nodes[a][used], cells.nodes[b][used], cell_places_[c][used][pair(a, b)], block);
+            }
+        }
+    }
+}
+
+// Where the whole stiffness is not positive, as on the way past a buckling, the next one does without its part that can be negative.
+void Tissue::go_on_factoring(long work) {
+    if (!factoring_) begin_factor();
+    const std::size_t n = x_.size();
+    for (; assembled_ < n + cells_.size() && work > 0; ++assembled_) {
+        if (assembled_ < n) assemble_node(static_cast<int>(assembled_)), work -= node_work;
+        else assemble_cells(assembled_ - n), work -= cell_work;
+    }
+    if (assembled_ < n + cells_.size() || !matrix_.factor(work)) return;
+    factoring_ = false;
+    whole_ = matrix_.is_positive();
+    if (!whole_) return;
+    matrix_.use();
+    used_volumes_.swap(factored_volumes_);
+    have_factors_ = true;
+}
+
+void Tissue::factor_at_once() {
+    factoring_ = false, have_factors_ = false, whole_ = true;
+    for (int tries = 0; tries < 2 && !have_factors_; ++tries) go_on_factoring(std::numeric_limits<long>::max());
+}
+
+}  // namespace tissue
