@@ -23,8 +23,9 @@ double lowest(const Descent& energy) {
     double low = 0, high = 1;
     constexpr double most = 4;
     while (high < most && slope(energy, high) < 0) low = high, high *= 2;
+    if (slope(energy, high) < 0) low = high;
     constexpr int halvings = 40;
-    for (int i = 0; i < halvings && high < most; ++i) {
+    for (int i = 0; i < halvings && low < high; ++i) {
         const double middle = 0.5 * (low + high);
         (slope(energy, middle) < 0 ? low : high) = middle;
     }
