@@ -78,36 +78,52 @@ BlockMatrix::Place BlockMatrix::place(int i, int j) const {
 }
 
 void BlockMatrix::clear() {
-    for (Padded& block : next_) block.fill(Column::Zero());
+    std::fill(next_.begin(), next_.end(), Padded{});
     at_ = 0;
     positive_ = true;
 }
 
 void BlockMatrix::add(Place place, const Block& block) {
     Padded& to = next_[static_cast<std::size_t>(place.block)];
-    for (Eigen::Index c = 0; c < 3; ++c)
-        for (Eigen::Index r = 0; r < 3; ++r) to[static_cast<std::size_t>(c)][r] += place.transposed ? block(c, r) : block(r, c);
+    const Block turned = place.transposed ? Block(block.transpose()) : block;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double* column = turned.data() + 3 * c;
+        to[c] += Lane(column[0], column[1], column[2], 0);
+    }
+}
+
+void BlockMatrix::add(Place place, const Vec3& a, const Vec3& b, const Vec3& w) {
+    Padded& to = next_[static_cast<std::size_t>(place.block)];
+    const Vec3 &left = place.transposed ? b : a, &right = place.transposed ? a : b;
+    const double turned = place.transposed ? -1 : 1, x = turned * w.x(), y = turned * w.y(), z = turned * w.z();
+    const Lane column(left.x(), left.y(), left.z(), 0);
+    to[0] += right.x() * column + Lane(0, z, -y, 0);
+    to[1] += right.y() * column + Lane(-z, 0, x, 0);
+    to[2] += right.z() * column + Lane(y, -x, 0, 0);
 }
 
 void BlockMatrix::add_to_diagonal(int node, const Vec3& x) {
     Padded& to = next_[static_cast<std::size_t>(first_[static_cast<std::size_t>(rank_[static_cast<std::size_t>(node)])])];
-    for (Eigen::Index c = 0; c < 3; ++c) to[static_cast<std::size_t>(c)][c] += x[c];
+    to[0] += Lane(x.x(), 0, 0, 0), to[1] += Lane(0, x.y(), 0, 0), to[2] += Lane(0, 0, x.z(), 0);
 }
 
 // Takes off what the columns before, as far as they reach into this one's row, make of it.
 void BlockMatrix::update(std::size_t j) {
     for (int b = first_[j]; b < first_[j + 1]; ++b) where_[static_cast<std::size_t>(row_[static_cast<std::size_t>(b)])] = b;
+    Padded* const next = next_.data();
+    const int *const where = where_.data(), *const row = row_.data();
     for (int u = first_update_[j]; u < first_update_[j + 1]; ++u) {
         const auto b = static_cast<std::size_t>(update_[static_cast<std::size_t>(u)]);
         const auto end = static_cast<std::size_t>(first_[static_cast<std::size_t>(column_[b]) + 1]);
-        const Padded by = next_[b];
+        std::array<Lane, 9> by;  // each number four times, row by row; there are registers for them
+        for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t c = 0; c < 3; ++c) by[3 * r + c] = Lane(next[b][c][r]);
         for (std::size_t t = b; t < end; ++t) {
-            Padded& to = next_[static_cast<std::size_t>(where_[static_cast<std::size_t>(row_[t])])];
-            const Padded& from = next_[t];
-            for (std::size_t c = 0; c < 3; ++c) {
-                const auto k = static_cast<Eigen::Index>(c);
-                to[c] -= from[0] * by[0][k] + from[1] * by[1][k] + from[2] * by[2][k];
-            }
+            Padded& to = next[where[row[t]]];
+            const Lane x = next[t][0], y = next[t][1], z = next[t][2];
+            to[0] -= x * by[0] + y * by[1] + z * by[2];
+            to[1] -= x * by[3] + y * by[4] + z * by[5];
+            to[2] -= x * by[6] + y * by[7] + z * by[8];
         }
     }
 }
@@ -124,7 +140,7 @@ bool BlockMatrix::finish(std::size_t j) {
     const double b = 1 / std::sqrt(left11), m21 = (own[1][2] - m20 * m10) * b, left22 = own[2][2] - m20 * m20 - m21 * m21;
     if (!(left22 > size)) return false;
     const double c = 1 / std::sqrt(left22), i10 = -m10 * a * b, i21 = -m21 * b * c, i20 = -(m20 * a + m21 * i10) * c;
-    own = {Column(a, i10, i20, 0), Column(0, b, i21, 0), Column(0, 0, c, 0)};
+    own = {Lane(a, i10, i20, 0), Lane(0, b, i21, 0), Lane(0, 0, c, 0)};
     for (int t = first_[j] + 1; t < first_[j + 1]; ++t) {
         Padded& block = next_[static_cast<std::size_t>(t)];
         const Padded was = block;
@@ -153,28 +169,33 @@ void BlockMatrix::use() {
 
 void BlockMatrix::solve(std::vector<Vec3>& x) {
     const std::size_t n = rank_.size();
-    for (std::size_t r = 0; r < n; ++r) x_[r].head<3>() = x[static_cast<std::size_t>(node_[r])].array(), x_[r][3] = 0;
+    for (std::size_t r = 0; r < n; ++r) {
+        const Vec3& from = x[static_cast<std::size_t>(node_[r])];
+        x_[r] = Lane(from.x(), from.y(), from.z(), 0);
+    }
     for (std::size_t j = 0; j < n; ++j) {
         const auto begin = static_cast<std::size_t>(first_[j]), end = static_cast<std::size_t>(first_[j + 1]);
-        const Column y = factors_[begin][0] * x_[j][0] + factors_[begin][1] * x_[j][1] + factors_[begin][2] * x_[j][2];
+        const Padded& own = factors_[begin];
+        const Lane y = own[0] * x_[j][0] + own[1] * x_[j][1] + own[2] * x_[j][2], y0(y[0]), y1(y[1]), y2(y[2]);
         x_[j] = y;
         for (std::size_t t = begin + 1; t < end; ++t) {
             const Padded& l = factors_[t];
-            x_[static_cast<std::size_t>(row_[t])] -= l[0] * y[0] + l[1] * y[1] + l[2] * y[2];
+            x_[static_cast<std::size_t>(row_[t])] -= l[0] * y0 + l[1] * y1 + l[2] * y2;
         }
     }
     for (std::size_t j = n; j-- > 0;) {
         const auto begin = static_cast<std::size_t>(first_[j]), end = static_cast<std::size_t>(first_[j + 1]);
-        Column s0 = Column::Zero(), s1 = Column::Zero(), s2 = Column::Zero();
+        Lane s0, s1, s2;
         for (std::size_t t = begin + 1; t < end; ++t) {
             const Padded& l = factors_[t];
-            const Column& below = x_[static_cast<std::size_t>(row_[t])];
+            const Lane& below = x_[static_cast<std::size_t>(row_[t])];
             s0 += l[0] * below, s1 += l[1] * below, s2 += l[2] * below;
         }
-        const Column y = x_[j] - Column(s0.sum(), s1.sum(), s2.sum(), 0);
-        x_[j] = Column((factors_[begin][0] * y).sum(), (factors_[begin][1] * y).sum(), (factors_[begin][2] * y).sum(), 0);
+        const Padded& own = factors_[begin];
+        const Lane y = x_[j] - Lane(s0.sum(), s1.sum(), s2.sum(), 0);
+        x_[j] = Lane((own[0] * y).sum(), (own[1] * y).sum(), (own[2] * y).sum(), 0);
     }
-    for (std::size_t r = 0; r < n; ++r) x[static_cast<std::size_t>(node_[r])] = x_[r].head<3>().matrix();
+    for (std::size_t r = 0; r < n; ++r) x[static_cast<std::size_t>(node_[r])] = Vec3(x_[r][0], x_[r][1], x_[r][2]);
 }
 
 }  // namespace tissue

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/geometry/vec.hpp"
+#include "tissue/lanes.hpp"
 
 namespace tissue {
 
@@ -29,6 +30,7 @@ class BlockMatrix {
 
     void clear();  ///< All zero, and none of it factored.
     void add(Place place, const Block& block);
+    void add(Place place, const Vec3& a, const Vec3& b, const Vec3& w);  ///< a b^T and the matrix of the cross product w x.
     void add_to_diagonal(int node, const Vec3& x);
 
     /// Goes on factoring with `work` block products, or a little more; true when it is done. A matrix that is not positive definite is done
@@ -42,8 +44,7 @@ class BlockMatrix {
     void solve(std::vector<Vec3>& x);
 
   private:
-    using Column = Eigen::Array4d;                  // of a block, its last number zero
-    using Padded = std::array<Column, 3>;
+    using Padded = std::array<Lane, 3>;             // columns of a block, their last number zero
 
     void analyse(std::span<const std::array<int, 2>> couplings);
     void update(std::size_t column);
@@ -54,7 +55,7 @@ class BlockMatrix {
     std::vector<int> first_update_, update_;        // of row j, the blocks left of its diagonal
     std::vector<Padded> next_, factors_;
     std::vector<int> where_;                        // of a row, its block in the column at work
-    std::vector<Column> x_;
+    std::vector<Lane> x_;
     std::size_t at_ = 0;                            // columns before are factored
     long work_ = 0;
     bool positive_ = false;

@@ -30,7 +30,7 @@ Cells cell_of(const Mesh& mesh, std::size_t c) {
             cell.corners[cell.tetrahedra][k] = static_cast<unsigned char>(place);
         }
         ++cell.tetrahedra;
-        cell.rest_volume += volume(tet, mesh.nodes);
+        cell.rest_volume += Lane(volume(tet, mesh.nodes));
     }
     return cell;
 }
@@ -38,7 +38,7 @@ Cells cell_of(const Mesh& mesh, std::size_t c) {
 void join(Cells& cells, const Cells& one) {
     for (std::size_t k = cells.used; k < Cells::lanes; ++k) {
         for (std::size_t n = 0; n < cells.count; ++n) cells.nodes[n][k] = one.nodes[n][0];
-        cells.rest_volume[static_cast<Eigen::Index>(k)] = one.rest_volume[0];
+        cells.rest_volume.q[k] = one.rest_volume[0];
     }
     ++cells.used;
 }
@@ -60,7 +60,8 @@ std::vector<Cells> cells_of(const Mesh& mesh) {
 
 Volumes volumes(const Cells& cells, std::span<const Vec3> nodes) {
     const Corners at = corners_of(cells, nodes);
-    Volumes six{Lane::Zero(), {}};
+    constexpr double sixth = 1.0 / 6;
+    Volumes six{};
     for (std::size_t t = 0; t < cells.tetrahedra; ++t) {
         const auto [o, a, b, c] = cells.corners[t];
         const Lanes u = at[a] - at[o], v = at[b] - at[o], w = at[c] - at[o], of_a = cross(v, w), of_b = cross(w, u), of_c = cross(u, v);
@@ -68,21 +69,21 @@ Volumes volumes(const Cells& cells, std::span<const Vec3> nodes) {
         six.gradient[a] += of_a, six.gradient[b] += of_b, six.gradient[c] += of_c;
         six.gradient[o] -= of_a, six.gradient[o] -= of_b, six.gradient[o] -= of_c;
     }
-    six.value /= 6;
-    for (std::size_t k = 0; k < cells.count; ++k) six.gradient[k].x /= 6, six.gradient[k].y /= 6, six.gradient[k].z /= 6;
+    six.value = sixth * six.value;
+    for (std::size_t k = 0; k < cells.count; ++k) six.gradient[k] = Lane(sixth) * six.gradient[k];
     return six;
 }
 
 Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec3> way) {
     const Corners at = corners_of(cells, nodes), by = corners_of(cells, way);
-    Bulge six{Lane::Zero(), Lane::Zero()};
+    Bulge six{};
     for (std::size_t t = 0; t < cells.tetrahedra; ++t) {
         const auto [o, a, b, c] = cells.corners[t];
         const Lanes u = by[a] - by[o], v = by[b] - by[o], w = by[c] - by[o], vw = cross(v, w);
         six.second += dot(at[a] - at[o], vw) + dot(at[b] - at[o], cross(w, u)) + dot(at[c] - at[o], cross(u, v));
         six.third += dot(u, vw);
     }
-    return {six.second / 6, six.third / 6};
+    return {six.second / Lane(6), six.third / Lane(6)};
 }
 
 // Of a tetrahedron o a b c: what its volume feels at one corner when another moves is across the edge between the two others.
@@ -98,7 +99,7 @@ std::array<Lanes, Cells::most_pairs> second_derivatives(const Cells& cells, std:
         add(o, a, at[b] - at[c]), add(o, b, at[c] - at[a]), add(o, c, at[a] - at[b]);
         add(a, b, at[o] - at[c]), add(b, c, at[o] - at[a]), add(c, a, at[o] - at[b]);
     }
-    for (Lanes& edge : six) edge.x /= 6, edge.y /= 6, edge.z /= 6;
+    for (Lanes& edge : six) edge = Lane(1.0 / 6) * edge;
     return six;
 }
 

@@ -12,7 +12,7 @@ struct Cells {
     std::array<std::array<unsigned char, 4>, most_tetrahedra> corners{};  ///< Of their tetrahedra, as places in `nodes`.
     std::size_t tetrahedra = 0;
     std::size_t used = 0;                                                 ///< How many cells.
-    Lane rest_volume = Lane::Zero();                                      ///< [m^3]
+    Lane rest_volume;                                                     ///< [m^3]
 };
 
 /// All cells of a mesh, but maybe in another order.
@@ -37,13 +37,9 @@ std::array<Lanes, Cells::most_pairs> second_derivatives(const Cells& cells, std:
 
 /// What nodes of these cells carry.
 inline Lanes gathered(const Cells& cells, std::size_t node, std::span<const Vec3> all) {
-    Lanes at;
-    for (std::size_t k = 0; k < Cells::lanes; ++k) {
-        const Vec3& p = all[static_cast<std::size_t>(cells.nodes[node][k])];
-        const auto lane = static_cast<Eigen::Index>(k);
-        at.x[lane] = p.x(), at.y[lane] = p.y(), at.z[lane] = p.z();
-    }
-    return at;
+    const auto of = [&](std::size_t k) -> const Vec3& { return all[static_cast<std::size_t>(cells.nodes[node][k])]; };
+    const Vec3 &a = of(0), &b = of(1), &c = of(2), &d = of(3);
+    return {Lane(a.x(), b.x(), c.x(), d.x()), Lane(a.y(), b.y(), c.y(), d.y()), Lane(a.z(), b.z(), c.z(), d.z())};
 }
 
 }  // namespace tissue

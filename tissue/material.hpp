@@ -7,11 +7,13 @@ namespace tissue {
 /// is turned inside out comes back.
 struct Material {
     double young = 0.1e6;          ///< Young's modulus when hardly strained [Pa]; vessels: 0.05e6 to 0.2e6 below a tenth.
-    /// kappa / mu, 25 to 1000. 300 keeps the stress of a sheet pressed together both ways to 0.8 within 1.4 % of what cannot change its volume.
-    double bulk_over_shear = 300;
+    /// kappa / mu, at least 10: the softer, the longer an old stiffness is of use. 200 keeps the stress of a sheet pressed together both ways to 0.8
+    /// within 2 % of what cannot change its volume, the worst of D19; a tube's radius under pressure already at 30.
+    double bulk_over_shear = 200;
     double density = 1060;         ///< [kg/m^3]
-    /// Time in which a strip that is let go loses all but 1/e of its strain, inertia apart [s]. Chosen by eye, no source: a vessel in its bed
-    /// does not ring. Viscous, of 2 relaxation shear() times the gradient of the velocity, so that it resists turning as well.
+    /// Time in which a strip that is let go loses all but 1/e of its strain [s]. Chosen by eye, no source. The stress is viscosity() times the gradient
+    /// of the velocity, so that it resists turning as well. Inertia is left out: at 5 m/s, its waves cross a vessel in less than this.
+    /// In its place mass resists motion so that a free piece, pushed, would lose its speed in the same time.
     double relaxation = 2.5e-3;
 
     double shear() const { return young / 3; }                     ///< mu [Pa].

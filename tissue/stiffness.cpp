@@ -27,22 +27,22 @@ long Tissue::assembly_work() const {
 
 void Tissue::begin_factor() {
     matrix_.clear();
-    factored_x_ = x_, factored_free_ = free_, factored_rate_ = rate_;
+    factored_x_ = x_, factored_free_ = free_, factored_rate_ = rate_, factored_drag_ = drag_;
     for (std::size_t c = 0; c < cells_.size(); ++c) factored_pressure_[c] = pressure(c);
     assembled_ = 0;
     factoring_ = true;
 }
 
 // What is held gets its own stiffness and no coupling: solves leave it out, and should it be let go they still know how stiff it is.
-void Tissue::add_block(int a, int b, BlockMatrix::Place place, const Block& block) {
-    const Vec3 &free_a = factored_free_[static_cast<std::size_t>(a)], &free_b = factored_free_[static_cast<std::size_t>(b)];
-    if (free_a.minCoeff() > 0 && free_b.minCoeff() > 0) return matrix_.add(place, block);
-    Block kept = free_a.asDiagonal() * block * free_b.asDiagonal();
-    if (a == b) kept.diagonal() = block.diagonal();
+void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Vec3& a, const Vec3& b, const Vec3& w) {
+    const Vec3 &free_i = factored_free_[static_cast<std::size_t>(i)], &free_j = factored_free_[static_cast<std::size_t>(j)];
+    if (free_i.minCoeff() > 0 && free_j.minCoeff() > 0) return matrix_.add(place, a, b, w);
+    Block whole = a * b.transpose() + cross_matrix(w), kept = free_i.asDiagonal() * whole * free_j.asDiagonal();
+    if (i == j) kept.diagonal() = whole.diagonal();
     matrix_.add(place, kept);
 }
 
-// Elasticity that changes with nothing, damping and inertia.
+// Elasticity that changes with nothing, and damping.
 void Tissue::assemble_node(int i) {
     const double stiff = material_.shear() + material_.viscosity() * factored_rate_;
     const auto neighbours = laplacian_.neighbours(i);
@@ -50,29 +50,28 @@ void Tissue::assemble_node(int i) {
     for (std::size_t k = 0; k < neighbours.size(); ++k) {
         const int j = neighbours[k];
         if (j > i) continue;
-        Block block = Block::Identity() * stiff * weights[k];
-        if (j == i) block.diagonal().array() += factored_rate_ * factored_rate_ * mass_[static_cast<std::size_t>(i)];
-        add_block(i, j, row_places_[static_cast<std::size_t>(i)][k], block);
+        if (j == i) {
+            matrix_.add_to_diagonal(i, Vec3::Constant(stiff * weights[k] + factored_drag_ * mass_[static_cast<std::size_t>(i)]));
+            continue;
+        }
+        const Vec3 kept = factored_free_[static_cast<std::size_t>(i)].cwiseProduct(factored_free_[static_cast<std::size_t>(j)]);
+        matrix_.add(row_places_[static_cast<std::size_t>(i)][k], Block(stiff * weights[k] * kept.asDiagonal()));
     }
 }
 
 void Tissue::assemble_cells(std::size_t c) {
     const Cells& cells = cells_[c];
     const Volumes& found = factored_volumes_[c] = volumes(cells, factored_x_);
-    const Lane p = factored_pressure_[c], k = stiff() / cells.rest_volume;
+    const Lane p = factored_pressure_[c], k = Lane(material_.bulk()) / cells.rest_volume;
     std::array<Lanes, Cells::most_pairs> edges{};
     if (whole_) edges = second_derivatives(cells, factored_x_);
-    for (std::size_t used = 0; used < cells.used; ++used) {
-        const auto lane = static_cast<Eigen::Index>(used);
+    for (std::size_t lane = 0; lane < cells.used; ++lane) {
         const auto of = [&](const Lanes& v) { return Vec3(v.x[lane], v.y[lane], v.z[lane]); };
         for (std::size_t b = 0; b < cells.count; ++b) {
             const Vec3 by = k[lane] * of(found.gradient[b]);
-            add_block(cells.nodes[b][used], cells.nodes[b][used], own_places_[c][used][b], of(found.gradient[b]) * by.transpose());
-            for (std::size_t a = 0; a < b; ++a) {
-                Block block = of(found.gradient[a]) * by.transpose();
-                if (whole_) block += cross_matrix(p[lane] * of(edges[pair(a, b)]));
-                add_block(cells.nodes[a][used], cells.nodes[b][used], cell_places_[c][used][pair(a, b)], block);
-            }
+            add_block(cells.nodes[b][lane], cells.nodes[b][lane], own_places_[c][lane][b], of(found.gradient[b]), by, Vec3::Zero());
+            for (std::size_t a = 0; a < b; ++a)
+                add_block(cells.nodes[a][lane], cells.nodes[b][lane], cell_places_[c][lane][pair(a, b)], of(found.gradient[a]), by, p[lane] * of(edges[pair(a, b)]));
         }
     }
 }

@@ -30,13 +30,13 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
     for (const Tetrahedron& tet : rest_.tetrahedra)
         for (const int i : tet) mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);
     const std::size_t n = x_.size();
-    for (std::vector<Vec3>* nodes : {&v_, &before_, &aim_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_})
+    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_})
         nodes->assign(n, Vec3::Zero());
     free_.assign(n, Vec3::Ones());
     factored_x_ = x_, factored_free_ = free_;
     volumes_.resize(cells_.size()), factored_volumes_ = used_volumes_ = volumes_;
     strain_.resize(n);
-    swelling_.assign(cells_.size(), Lane::Zero()), extra_ = factored_pressure_ = swelling_;
+    swelling_.assign(cells_.size(), Lane()), factored_pressure_ = swelling_;
     along_.resize(cells_.size());
     cell_places_.resize(cells_.size()), own_places_.resize(cells_.size());
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -55,8 +55,7 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
 void Tissue::place(std::span<const Vec3> nodes) {
     x_.assign(nodes.begin(), nodes.end());
     v_.assign(x_.size(), Vec3::Zero());
-    extra_.assign(extra_.size(), Lane::Zero());
-    for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] = volumes(cells_[c], x_).value / cells_[c].rest_volume - 1;
+    for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] = volumes(cells_[c], x_).value / cells_[c].rest_volume - Lane(1);
     have_factors_ = factoring_ = false;
 }
 
@@ -73,9 +72,10 @@ double Tissue::energy() const {
     laplacian_.multiply(x_, lx);
     double sum = 0.5 * material_.shear() * dot(x_, lx);
     for (const Cells& cells : cells_) {
-        const Lane swelling = volumes(cells, x_).value / cells.rest_volume - 1;
-        const Lane energies = cells.rest_volume * (0.5 * material_.bulk() * swelling * swelling - material_.shear() * (swelling + 1.5));
-        sum += energies.head(static_cast<Eigen::Index>(cells.used)).sum();
+        const Lane swelling = volumes(cells, x_).value / cells.rest_volume - Lane(1);
+        Lane energies = cells.rest_volume * (0.5 * material_.bulk() * swelling * swelling - material_.shear() * (swelling + Lane(1.5)));
+        energies.clear_from(cells.used);
+        sum += energies.sum();
     }
     return sum;
 }
@@ -105,58 +105,60 @@ void Tissue::add_pressure(double pressure) {
 void Tissue::find_residual() {
     const double mu = material_.shear(), viscous = material_.viscosity() * rate_;
     for (std::size_t i = 0; i < x_.size(); ++i)
-        residual_[i] = outside_[i] - mu * lx_[i] - viscous * (lx_[i] - lx_before_[i]) - rate_ * rate_ * mass_[i] * (x_[i] - aim_[i]);
+        residual_[i] = outside_[i] - mu * lx_[i] - viscous * (lx_[i] - lx_before_[i]) - drag_ * mass_[i] * (x_[i] - before_[i]);
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cells& cells = cells_[c];
         volumes_[c] = volumes(cells, x_);
-        swelling_[c] = volumes_[c].value / cells.rest_volume - 1;
+        swelling_[c] = volumes_[c].value / cells.rest_volume - Lane(1);
         const Lane p = pressure(c);
         for (std::size_t n = 0; n < cells.count; ++n) {
-            const Lane x = p * volumes_[c].gradient[n].x, y = p * volumes_[c].gradient[n].y, z = p * volumes_[c].gradient[n].z;
-            for (std::size_t k = 0; k < cells.used; ++k) {
-                const auto lane = static_cast<Eigen::Index>(k);
-                residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(x[lane], y[lane], z[lane]);
-            }
+            const Lanes force = p * volumes_[c].gradient[n];
+            for (std::size_t k = 0; k < cells.used; ++k) residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(force.x[k], force.y[k], force.z[k]);
         }
     }
     for (std::size_t i = 0; i < x_.size(); ++i) push_[i] = residual_[i].cwiseProduct(free_[i]);
 }
 
+// Mean gradient of cells, and of the cells about a node, with respect to where nodes were when the stiffness was found: as that is, column by column.
 void Tissue::find_strain() {
-    strain_.assign(x_.size(), Eigen::Matrix3d::Zero());
+    strain_.assign(x_.size(), {});
     shared_.assign(x_.size(), 0);
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cells& cells = cells_[c];
-        std::array<Lane, 9> mean;
-        mean.fill(Lane::Zero());
+        const Volumes& then = used_volumes_[c];
+        Lanes x, y, z;
         for (std::size_t n = 0; n < cells.count; ++n) {
-            const Lanes at = gathered(cells, n, x_), &by = used_volumes_[c].gradient[n];
-            mean[0] += at.x * by.x, mean[1] += at.y * by.x, mean[2] += at.z * by.x;
-            mean[3] += at.x * by.y, mean[4] += at.y * by.y, mean[5] += at.z * by.y;
-            mean[6] += at.x * by.z, mean[7] += at.y * by.z, mean[8] += at.z * by.z;
+            const Lanes at = gathered(cells, n, x_);
+            x += then.gradient[n].x * at, y += then.gradient[n].y * at, z += then.gradient[n].z * at;
         }
         for (std::size_t k = 0; k < cells.used; ++k) {
-            const auto lane = static_cast<Eigen::Index>(k);
-            Eigen::Matrix3d own;
-            for (std::size_t m = 0; m < 9; ++m) own.data()[m] = mean[m][lane];
+            const Lane own_x(x.x[k], x.y[k], x.z[k], 0), own_y(y.x[k], y.y[k], y.z[k], 0), own_z(z.x[k], z.y[k], z.z[k], 0);
             for (std::size_t n = 0; n < cells.count; ++n) {
                 const auto i = static_cast<std::size_t>(cells.nodes[n][k]);
-                strain_[i] += own, shared_[i] += used_volumes_[c].value[lane];
+                strain_[i][0] += own_x, strain_[i][1] += own_y, strain_[i][2] += own_z;
+                shared_[i] += then.value[k];
             }
         }
     }
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        if (free_[i].minCoeff() > 0 && shared_[i] > 0) strain_[i] /= shared_[i];
-        else strain_[i].setIdentity();
+        const bool known = free_[i].minCoeff() > 0 && shared_[i] > 0;
+        const double share = known ? 1 / shared_[i] : 0, one = known ? 0 : 1;
+        strain_[i] = {share * strain_[i][0] + Lane(one, 0, 0, 0), share * strain_[i][1] + Lane(0, one, 0, 0), share * strain_[i][2] + Lane(0, 0, one, 0)};
     }
 }
 
 // Nonlinear conjugate gradients (Polak and Ribiere) with the factored stiffness for a metric.
 void Tissue::find_way(bool afresh) {
     find_strain();
-    for (std::size_t i = 0; i < x_.size(); ++i) solved_[i] = strain_[i].transpose() * push_[i];
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const Lane push(push_[i].x(), push_[i].y(), push_[i].z(), 0);
+        solved_[i] = Vec3((strain_[i][0] * push).sum(), (strain_[i][1] * push).sum(), (strain_[i][2] * push).sum());
+    }
     matrix_.solve(solved_);
-    for (std::size_t i = 0; i < x_.size(); ++i) solved_[i] = (strain_[i] * solved_[i]).cwiseProduct(free_[i]);
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const Lane by = strain_[i][0] * solved_[i].x() + strain_[i][1] * solved_[i].y() + strain_[i][2] * solved_[i].z();
+        solved_[i] = Vec3(by[0], by[1], by[2]).cwiseProduct(free_[i]);
+    }
     const double product = dot(push_, solved_), kept = afresh || last_product_ <= 0 ? 0 : std::max(0.0, (product - dot(last_push_, solved_)) / last_product_);
     for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + kept * way_[i];
     if (!(dot(push_, way_) > 0)) way_ = solved_;
@@ -166,25 +168,24 @@ void Tissue::find_way(bool afresh) {
 
 Descent Tissue::energy_along_way() {
     laplacian_.multiply(way_, lway_);
-    double inertia = 0;
-    for (std::size_t i = 0; i < x_.size(); ++i) inertia += mass_[i] * way_[i].squaredNorm();
+    double drag = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) drag += drag_ * mass_[i] * way_[i].squaredNorm();
     std::array<Lane, 5> more;
-    more.fill(Lane::Zero());
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cells& cells = cells_[c];
         const auto [second, third] = bulge(cells, x_, way_);
-        Lane first = Lane::Zero();
+        Lane first;
         for (std::size_t n = 0; n < cells.count; ++n) first += dot(volumes_[c].gradient[n], gathered(cells, n, way_));
         along_[c] = {first / cells.rest_volume, second / cells.rest_volume, third / cells.rest_volume};
-        Lane p = pressure(c), k = stiff() / cells.rest_volume;
-        for (std::size_t lane = cells.used; lane < Cells::lanes; ++lane) p[static_cast<Eigen::Index>(lane)] = k[static_cast<Eigen::Index>(lane)] = 0;
+        Lane p = pressure(c), k = Lane(material_.bulk()) / cells.rest_volume;
+        p.clear_from(cells.used), k.clear_from(cells.used);
         more[0] += p * second + 0.5 * k * first * first;
         more[1] += p * third + k * first * second;
         more[2] += k * (0.5 * second * second + first * third);
         more[3] += k * second * third;
         more[4] += 0.5 * k * third * third;
     }
-    Descent energy{-dot(push_, way_), 0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + rate_ * rate_ * inertia)};
+    Descent energy{-dot(push_, way_), 0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag)};
     for (std::size_t k = 0; k < more.size(); ++k) energy[k + 1] += more[k].sum();
     return energy;
 }
@@ -194,19 +195,12 @@ void Tissue::go_along_way(double far) {
     for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] += far * (along_[c][0] + far * (along_[c][1] + far * along_[c][2]));
 }
 
-// What a cell's own pressure would be, were it as stiff as the material and swollen as it is, as far as one step can find it: of what presses on it
-// the stiffening has taken all but a share of stiffening / kappa.
-void Tissue::add_extra_pressure() {
-    const double share = stiff() / material_.bulk();
-    for (std::size_t c = 0; c < cells_.size(); ++c) extra_[c] += (1 - share) * stiff() * swelling_[c] - share * extra_[c];
-}
-
 Report Tissue::step(const Input& input, double seconds) {
     Report report;
     rate_ = 1 / seconds;
     before_ = x_;
     laplacian_.multiply(x_, lx_before_);
-    for (std::size_t i = 0; i < x_.size(); ++i) aim_[i] = rate_ > 0 ? Vec3(x_[i] + seconds * v_[i]) : x_[i];
+    drag_ = rate_ > 0 ? rate_ / material_.relaxation : 0;
     apply_holds(input.holds);
     outside_.assign(x_.size(), Vec3::Zero());
     for (const auto& [at, force] : input.forces)
@@ -222,7 +216,7 @@ Report Tissue::step(const Input& input, double seconds) {
         for (const Vec3& force : push_) report.residual = std::max(report.residual, force.norm());
         if (report.residual <= solver_.tolerance) break;
         if (newton) factor_at_once();
-        find_way(i == 0 || newton);
+        find_way(newton);
         const Descent energy = energy_along_way();
         const double far = lowest(energy);
         go_along_way(far);
@@ -231,7 +225,6 @@ Report Tissue::step(const Input& input, double seconds) {
         for (const double coefficient : energy) report.energy_change += coefficient * (power *= far);
         ++report.iterations;
     }
-    add_extra_pressure();
     for (std::size_t i = 0; i < x_.size(); ++i) v_[i] = rate_ > 0 ? Vec3(rate_ * (x_[i] - before_[i])) : Vec3::Zero();
     if (!newton) go_on_factoring((matrix_.work() + assembly_work()) / solver_.steps_per_factor);
     return report;

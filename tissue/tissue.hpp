@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -36,10 +35,7 @@ struct Input {
 /// How a step is solved.
 struct Solver {
     int iterations = 1;          ///< Moves a step.
-    /// kappa / mu within a step, at most Material's. What a cell lacks to the material's own pressure it is given after each step (augmented
-    /// Lagrangian), so that it is nearly there after one. Less makes older factors as good as newer ones with more.
-    double stiffening = 10;
-    int steps_per_factor = 16;   ///< A factorisation is spread over so many steps; 0: all of it before each move, which is Newton's method.
+    int steps_per_factor = 8;    ///< A factorisation is spread over so many steps; 0: all of it before each move, which is Newton's method.
     double tolerance = 0;        ///< No more moves once no node is out of balance by more [N].
 };
 
@@ -47,19 +43,19 @@ struct Solver {
 struct Report {
     int iterations = 0;
     double residual = 0;   ///< Largest force on a node that was out of balance before the last move [N].
-    double energy_change = 0;  ///< Of the last move, inertia and damping included [J]: never above 0.
+    double energy_change = 0;  ///< Of the last move, damping included [J]: never above 0.
 };
 
-/// A vessel's wall that gives way: nearly incompressible, neo-Hookean, with inertia and damping, in steps of implicit Euler: each goes down the
-/// incremental energy, from where the wall is, along Newton's direction of a stiffness that is some steps old, to the lowest point on the line, which
-/// is that of a polynomial. So no step can raise that energy, whatever its length, and what one leaves is the next one's.
-/// Deterministic; nothing is allocated after the first step.
+/// A vessel's wall that gives way: nearly incompressible, neo-Hookean and viscous, without inertia, in steps of implicit Euler. A step goes down the
+/// energy with what the damping takes, from where the wall is, along Newton's direction of a stiffness that is some steps old, to the lowest point
+/// on the line, which is that of a polynomial. So the wall's energy less the work of steady forces never rises, however long the step and old the
+/// stiffness; what a step leaves undone is the next one's. Deterministic; nothing is allocated after the first step.
 class Tissue {
   public:
     /// `mesh` must have tetrahedra, of positive volume, in cells of at most eight nodes and six tetrahedra.
     Tissue(const Material& material, Mesh mesh, const Solver& solver = {});
 
-    /// Nodes, tetrahedra and numbers in `input` must exist and be finite. With seconds infinite there is neither inertia nor damping.
+    /// Nodes, tetrahedra and numbers in `input` must exist and be finite. With seconds infinite there is no damping.
     Report step(const Input& input, double seconds);
 
     const Mesh& rest() const { return rest_; }
@@ -75,18 +71,16 @@ class Tissue {
   private:
     void apply_holds(std::span<const Hold> holds);
     void add_pressure(double pressure);
-    double stiff() const { return std::min(solver_.stiffening * material_.shear(), material_.bulk()); }  // kappa within a step
-    Lane pressure(std::size_t cells) const { return stiff() * swelling_[cells] - material_.shear() + extra_[cells]; }
+    Lane pressure(std::size_t cells) const { return material_.bulk() * swelling_[cells] - Lane(material_.shear()); }
     void find_residual();
     void go_along_way(double far);
-    void add_extra_pressure();
     void find_way(bool afresh);
     void find_strain();
     Descent energy_along_way();
     void begin_factor();
     void go_on_factoring(long work);
     void factor_at_once();
-    void add_block(int a, int b, BlockMatrix::Place place, const BlockMatrix::Block& block);
+    void add_block(int i, int j, BlockMatrix::Place place, const Vec3& a, const Vec3& b, const Vec3& w);
     void assemble_node(int node);
     void assemble_cells(std::size_t cells);
     long assembly_work() const;
@@ -97,14 +91,14 @@ class Tissue {
     Laplacian laplacian_;
     std::vector<Cells> cells_;
     std::vector<double> mass_;                              // of nodes [kg]
-    std::vector<Vec3> x_, v_, before_, aim_;                // aim: where inertia alone would lead
+    std::vector<Vec3> x_, v_, before_;
     std::vector<Vec3> free_, outside_;                      // 1 along axes on which a node is free, 0 where held; forces from outside
     std::vector<Vec3> lx_, lx_before_, lway_;               // L times nodes, and times the way
     std::vector<Vec3> residual_, push_, way_, last_push_, solved_;  // push: what of the residual is on free nodes
     std::vector<Volumes> volumes_;
-    std::vector<Lane> swelling_, extra_;                    // J - 1 of cells, and pressure beyond that of the stiffening [Pa]
+    std::vector<Lane> swelling_;                            // J - 1 of cells
     std::vector<std::array<Lane, 3>> along_;                // coefficients of the volume along the way
-    double rate_ = 0;                                       // steps a second
+    double rate_ = 0, drag_ = 0;                            // steps a second, and what a unit of mass resists a step with [1/s^2]
     double last_product_ = 0;
 
     BlockMatrix matrix_;
@@ -112,11 +106,11 @@ class Tissue {
     std::vector<std::array<std::array<BlockMatrix::Place, Cells::most_nodes>, Cells::lanes>> own_places_;
     std::vector<std::vector<BlockMatrix::Place>> row_places_;
     std::vector<Vec3> factored_x_, factored_free_;          // the state that is being factored
-    double factored_rate_ = 0;
+    double factored_rate_ = 0, factored_drag_ = 0;
     std::size_t assembled_ = 0;                             // nodes and cells
     std::vector<Lane> factored_pressure_;
     std::vector<Volumes> factored_volumes_, used_volumes_;   // of that state, and of the one that solves are with
-    std::vector<Eigen::Matrix3d> strain_;                   // how nodes are deformed since then
+    std::vector<std::array<Lane, 3>> strain_;               // how the wall about nodes is deformed since then, by columns
     std::vector<double> shared_;                            // volume of the cells that share a node
     bool factoring_ = false, have_factors_ = false, whole_ = true;
 };

@@ -16,7 +16,7 @@ struct TubeDef {
     int through = 2;              ///< Cells through the wall.
     int near = 6;                 ///< Cells along, equal ones, for near_length from the cut [m] ...
     double near_length = 3e-3;
-    int far = 3;                  ///< ... and from there to the far end, each longer than the one before by the same factor.
+    int far = 2;                  ///< ... and from there to the far end, each longer than the one before by the same factor.
 };
 
 /// The first thing wrong with `def`, in words for its author; nothing when there is such a tube.

@@ -16,7 +16,7 @@ using tissue::Tissue;
 using tissue::TubeDef;
 using tissue::Vec3;
 
-constexpr double in_the_end = std::numeric_limits<double>::infinity();  // neither inertia nor damping
+constexpr double in_the_end = std::numeric_limits<double>::infinity();  // without damping
 
 Tissue newton(const Mesh& mesh) {
     constexpr double force = 0.1e6 * 1e-6;  // of a stress as the modulus on a square millimetre [N]
