@@ -18,8 +18,8 @@ Block cross_matrix(const Vec3& w) {
 
 }  // namespace
 
-// Of four cells about as much as so many block products, of a node's row of constant numbers a tenth of it.
-static constexpr long cell_work = 4 * 90, node_work = 9;
+// What it takes to put together four cells, or a row of constant numbers, in block products: 1.3 and 0.07 us against 1.6 ns.
+static constexpr long cell_work = 800, node_work = 45;
 
 long Tissue::assembly_work() const {
     return cell_work * static_cast<long>(cells_.size()) + node_work * static_cast<long>(x_.size());

@@ -6,6 +6,7 @@
 #include "app/bench/speed.hpp"
 #include "app/bench/speed_vs_error.hpp"
 #include "app/bench/stability.hpp"
+#include "app/bench/tissue.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
@@ -32,6 +33,7 @@ constexpr Known suites[] = {
     {"speed", bench::speed_suite},
     {"speed-vs-error", bench::speed_vs_error_suite},
     {"accuracy", bench::accuracy_suite},
+    {"tissue", bench::tissue_suite},
     {"stability", stability},
     {"knots", naming},
 };
