@@ -11,7 +11,7 @@ namespace {
 using Rows = std::vector<std::map<int, double>>;
 
 // How much of the energy is that of the tetrahedra, each with a gradient of its own; the rest is that of the gradient's mean over a cell. Tetrahedra
-// alone are too stiff in bending: the edge of a cut, pulled, lacks a fifth of its way instead of a tenth. With less than a half a cube that is
+// alone are too stiff in bending: the edge of a cut, pulled at 20 mN, lacked a fifth of its way instead of a tenth (24 cells around, 2 far). With less than a half a cube that is
 // cramped on one side and spread on the other, its volume kept, would hold no energy.
 constexpr double own_share = 0.5;
 

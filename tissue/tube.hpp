@@ -12,11 +12,11 @@ struct TubeDef {
     double wall = 0.5e-3;         ///< [m], below half of the diameter.
     double length = 8e-3;         ///< Along the axis [m].
     double cut_angle = 90;        ///< Between cut and axis [degrees], 45 to 90; slanted, the cut leans towards the far end where y > 0.
-    int around = 24;              ///< Cells around, even, at least 6.
+    int around = 16;              ///< Cells around, even, at least 6.
     int through = 2;              ///< Cells through the wall.
-    int near = 6;                 ///< Cells along, equal ones, for near_length from the cut [m] ...
-    double near_length = 3e-3;
-    int far = 2;                  ///< ... and from there to the far end, each longer than the one before by the same factor.
+    int near = 8;                 ///< Cells along, equal ones, for near_length from the cut [m] ...
+    double near_length = 4e-3;
+    int far = 4;                  ///< ... and from there to the far end, each longer than the one before by the same factor.
 };
 
 /// The first thing wrong with `def`, in words for its author; nothing when there is such a tube.

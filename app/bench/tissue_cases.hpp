@@ -14,7 +14,7 @@ Compared patch_stress(Pull pull, double stretch);
 
 /// How fine a tube is, and whether volume is kept by cells or, to show what that would do, by each tetrahedron.
 struct Resolution {
-    int around = 24, through = 2;
+    int around = 16, through = 2;
     bool locks = false;
 };
 
