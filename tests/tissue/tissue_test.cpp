@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/bench/tissue_cases.hpp"
+#include "app/bench/tissue_pull.hpp"
 #include "tissue/tube.hpp"
 
 namespace {
@@ -51,6 +52,22 @@ TEST(Material, FollowsANeoHookeanInThePatchTests) {
             SCOPED_TRACE(testing::Message() << stretch << " " << static_cast<int>(pull));
             EXPECT_LE(std::abs(app::bench::patch_stress(pull, stretch).error()), 0.02);
         }
+}
+
+// D17 and D18; `carrel bench tissue` has all of their loads.
+TEST(Material, FillsAndStretchesTubesAsTheoryHasIt) {
+    for (const double axial : {1.0, 1.2}) EXPECT_LE(std::abs(app::bench::inflated_radius({}, 1.3, axial).error()), 0.05);
+    EXPECT_LE(std::abs(app::bench::clamped_force({}, 1.2).error()), 0.05);
+}
+
+// Where each tetrahedron keeps its own volume, a wall can hardly bend.
+TEST(Material, DoesNotLock) {
+    using app::bench::VesselPull;
+    constexpr double force = 0.02;
+    const auto moved = [&](double finer, bool locks) { return app::bench::edge_moved(VesselPull(app::bench::vessel(finer), locks), force); };
+    const Vec3 finer = moved(1.5, false);
+    EXPECT_LE((moved(1, false) - finer).norm(), 0.05 * finer.norm());
+    EXPECT_GE((moved(1, true) - finer).norm(), 0.15 * finer.norm());
 }
 
 TEST(Tissue, StaysAtRestWhereNothingPulls) {
