@@ -4,7 +4,7 @@
 namespace tissue {
 
 /// Four numbers that the processor treats as one: of four cells, or a vector and a zero. Eigen's arrays of four are copied in halves, which
-/// makes a factorisation three times as slow (GCC 12).
+/// makes a factorisation 2.5 times as slow (GCC 12).
 struct Lane {
     typedef double Quad __attribute__((vector_size(32)));
     Quad q{};
