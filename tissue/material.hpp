@@ -12,9 +12,10 @@ struct Material {
     double bulk_over_shear = 200;
     double density = 1060;         ///< [kg/m^3]
     /// Time in which a strip that is let go loses all but 1/e of its strain [s]. Chosen by eye, no source. The stress is viscosity() times the gradient
-    /// of the velocity, so that it resists turning as well. Inertia is left out: at 5 m/s, its waves cross a vessel in less than this.
-    /// In its place mass resists motion so that a free piece, pushed, would lose its speed in the same time.
+    /// of the velocity, so that it resists turning as well.
     double relaxation = 2.5e-3;
+    /// Time in which a free piece, pushed, would lose its speed [s]. Chosen by eye. Inertia itself is left out: at 5 m/s, waves cross a vessel in 2 ms.
+    double slowing = 25e-3;
 
     double shear() const { return young / 3; }                     ///< mu [Pa].
     double viscosity() const { return 2 * relaxation * shear(); }  ///< [Pa s]

@@ -200,7 +200,7 @@ Report Tissue::step(const Input& input, double seconds) {
     rate_ = 1 / seconds;
     before_ = x_;
     laplacian_.multiply(x_, lx_before_);
-    drag_ = rate_ > 0 ? rate_ / material_.relaxation : 0;
+    drag_ = rate_ / material_.slowing;
     apply_holds(input.holds);
     outside_.assign(x_.size(), Vec3::Zero());
     for (const auto& [at, force] : input.forces)
