@@ -102,8 +102,8 @@ void BlockMatrix::add(Place place, const Vec3& a, const Vec3& b, const Vec3& w) 
     to[2] += right.z() * column + Lane(y, -x, 0, 0);
 }
 
-void BlockMatrix::add_to_diagonal(int node, const Vec3& x) {
-    Padded& to = next_[static_cast<std::size_t>(first_[static_cast<std::size_t>(rank_[static_cast<std::size_t>(node)])])];
+void BlockMatrix::add_diagonal(Place place, const Vec3& x) {
+    Padded& to = next_[static_cast<std::size_t>(place.block)];
     to[0] += Lane(x.x(), 0, 0, 0), to[1] += Lane(0, x.y(), 0, 0), to[2] += Lane(0, 0, x.z(), 0);
 }
 
@@ -121,9 +121,9 @@ void BlockMatrix::update(std::size_t j) {
         for (std::size_t t = b; t < end; ++t) {
             Padded& to = next[where[row[t]]];
             const Lane x = next[t][0], y = next[t][1], z = next[t][2];
-            to[0] -= x * by[0] + y * by[1] + z * by[2];
-            to[1] -= x * by[3] + y * by[4] + z * by[5];
-            to[2] -= x * by[6] + y * by[7] + z * by[8];
+            to[0] = less_product(less_product(less_product(to[0], x, by[0]), y, by[1]), z, by[2]);
+            to[1] = less_product(less_product(less_product(to[1], x, by[3]), y, by[4]), z, by[5]);
+            to[2] = less_product(less_product(less_product(to[2], x, by[6]), y, by[7]), z, by[8]);
         }
     }
 }

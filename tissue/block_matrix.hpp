@@ -31,7 +31,7 @@ class BlockMatrix {
     void clear();  ///< All zero, and none of it factored.
     void add(Place place, const Block& block);
     void add(Place place, const Vec3& a, const Vec3& b, const Vec3& w);  ///< a b^T and the matrix of the cross product w x.
-    void add_to_diagonal(int node, const Vec3& x);
+    void add_diagonal(Place place, const Vec3& x);                       ///< To the diagonal of that block.
 
     /// Goes on factoring with `work` block products, or a little more; true when it is done. A matrix that is not positive definite is done
     /// too, and not taken for solves.

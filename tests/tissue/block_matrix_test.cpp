@@ -37,7 +37,7 @@ struct Twice {
             matrix.add(matrix.place(i, j), block);
             dense.block<3, 3>(3 * i, 3 * j) = block, dense.block<3, 3>(3 * j, 3 * i) = block.transpose();
         }
-        for (int i = 0; i < nodes; ++i) matrix.add_to_diagonal(i, lift * Vec3(1, 1.1, 1.2));
+        for (int i = 0; i < nodes; ++i) matrix.add_diagonal(matrix.place(i, i), lift * Vec3(1, 1.1, 1.2));
         for (int i = 0; i < nodes; ++i) dense.diagonal().segment<3>(3 * i) = lift * Vec3(1, 1.1, 1.2);
     }
 
