@@ -57,6 +57,7 @@ void Tissue::place(std::span<const Vec3> nodes) {
     v_.assign(x_.size(), Vec3::Zero());
     for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] = volumes(cells_[c], x_).value / cells_[c].rest_volume - Lane(1);
     have_factors_ = factoring_ = false;
+    last_product_ = 0;
 }
 
 Vec3 Tissue::position(const MaterialPoint& point) const {
@@ -160,7 +161,7 @@ void Tissue::find_way(bool afresh) {
         solved_[i] = Vec3(by[0], by[1], by[2]).cwiseProduct(free_[i]);
     }
     const double product = dot(push_, solved_), kept = afresh || last_product_ <= 0 ? 0 : std::max(0.0, (product - dot(last_push_, solved_)) / last_product_);
-    for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + kept * way_[i];
+    for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + kept * way_[i].cwiseProduct(free_[i]);
     if (!(dot(push_, way_) > 0)) way_ = solved_;
     last_push_ = push_;
     last_product_ = product;

@@ -223,6 +223,22 @@ TEST(Tissue, HoldsWhereItIsTold) {
     EXPECT_LT(farthest_from_rest(tissue), 5e-6);
 }
 
+// Seized while it moves, a node stays where it is seized from that step on, though directions are carried over and the factors do not know.
+TEST(Tissue, IsHeldFromOneStepToTheNext) {
+    const Mesh mesh = make_tube({});
+    Tissue tissue({}, mesh);
+    std::vector<Hold> holds = far_end_held(mesh);
+    const PointForce forces[] = {{at_the_cut(), {-0.03, 0.02, 0}}};
+    for (int i = 0; i < 20; ++i) tissue.step({.holds = holds, .forces = forces}, tick);
+    const int seized = mesh.tetrahedra[0][0];
+    EXPECT_GT(tissue.velocity()[static_cast<std::size_t>(seized)].norm(), 1e-3);
+    holds.push_back({seized, tissue.nodes()[static_cast<std::size_t>(seized)]});
+    for (int i = 0; i < 20; ++i) {
+        tissue.step({.holds = holds, .forces = forces}, tick);
+        ASSERT_EQ(tissue.nodes()[static_cast<std::size_t>(seized)], holds.back().target);
+    }
+}
+
 // What holds carry is what pulls, in the end.
 TEST(Tissue, IsHeldAsItIsPulled) {
     const Mesh mesh = make_tube({.around = 12, .through = 1});
