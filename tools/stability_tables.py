@@ -29,11 +29,13 @@ def scene_lines(rows):
         figures = []
         for row in rows:
             suffix = re.sub(r"-\d+$", "", row["id"].removeprefix(file.stem))
+            of_model = " (elastic)" if suffix.endswith("-elastic") else ""
+            suffix = suffix.removesuffix("-elastic")
             if not row["id"].startswith(file.stem + "-") or suffix not in conditions:
                 continue
             row["is_scene"] = True
             if suffix[1:] not in SILENT or not row["pass"]:
-                figures.append(figure(row, suffix[1:].replace("-", "_")))
+                figures.append(figure(row, suffix[1:].replace("-", "_") + of_model))
         yield f"| {file.stem} | {' '.join(scene['case'])} | {'; '.join(figures)} |"
 
 

@@ -38,6 +38,11 @@ double reversed_apart(const Scene& scene, const Trace& trace) {
     return farthest(expected, play(reversed(scene)).nodes()) / trace.diameter;
 }
 
+double ticked_apart(Scene scene, const Trace& trace, double factor) {
+    scene.tick *= factor;
+    return farthest(play(scene).nodes(), trace.nodes()) / trace.diameter;
+}
+
 std::string knot_after_nudge(Scene scene, double towards) {
     for (Vec3& p : scene.nodes)
         for (int c = 0; c < 3; ++c) p[c] = std::nextafter(p[c], towards);
@@ -100,6 +105,7 @@ const std::vector<ConditionKind>& twin_kinds() {
         {"scaled_apart", "D", "farthest node from where the scene so many times as large has it",
          [](S s, T t, C c) { return mapped_apart(s, t, c.factor * Matrix3d::Identity()); }},
         {"reversed_apart", "D", "farthest node from where the scene numbered from the other end has it", [](S s, T t, C) { return reversed_apart(s, t); }},
+        {"ticked_apart", "D", "farthest node from where ticks so many times as long have it", [](S s, T t, C c) { return ticked_apart(s, t, c.factor); }},
         {"nudged_knot_differs", "count", "of two starts moved by the last bit, those that end in another knot",
          [](S s, T t, C) { return nudged_knot_differs(s, t); }},
         {"unbroken_differs", "count", "1 where the scene without its faults ends in other bits",

@@ -5,9 +5,13 @@
 
 namespace app::bench {
 
+bool is_asked_of(const Scene& scene, const Condition& condition) {
+    return condition.model.empty() || (condition.model == "elastic") == scene.thread.elastic.has_value();
+}
+
 std::vector<Outcome> examine(const HardCase& hard_case, bool quick) {
     std::vector<Outcome> outcomes;
-    for (const Condition& condition : hard_case.conditions) outcomes.push_back({condition, 0, 0});
+    for (const Condition& condition : hard_case.conditions) outcomes.push_back({condition});
     const std::size_t scenes = quick ? 1 : hard_case.scenes.size();
     for (std::size_t s = 0; s < scenes; ++s) {
         const Stopwatch playing;
@@ -15,13 +19,16 @@ std::vector<Outcome> examine(const HardCase& hard_case, bool quick) {
         const Trace trace = play(scene);
         const double share = playing.seconds() / static_cast<double>(outcomes.size());  // playing serves all alike
         for (Outcome& outcome : outcomes) {
+            if (!is_asked_of(scene, outcome.condition)) continue;
             const Stopwatch measuring;
             const double value = condition_kind(outcome.condition.is).measure(scene, trace, outcome.condition);
             const bool most = outcome.condition.must == Must::be_at_most;
-            outcome.value = s == 0 ? value : most ? std::max(outcome.value, value) : std::min(outcome.value, value);
+            outcome.value = !outcome.measured ? value : most ? std::max(outcome.value, value) : std::min(outcome.value, value);
+            outcome.measured = true;
             outcome.seconds += share + measuring.seconds();
         }
     }
+    std::erase_if(outcomes, [](const Outcome& outcome) { return !outcome.measured; });
     return outcomes;
 }
 

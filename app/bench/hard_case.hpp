@@ -81,6 +81,7 @@ struct Condition {
     int tool = 0;
     double factor = 1;       ///< Of what is scaled.
     std::string knot;        ///< The name it must have.
+    std::string model;       ///< Asked only of variants with this thread; empty: of all.
     std::string known;       ///< Not empty: misses its bound today, for this reason ...
     std::optional<double> today;  ///< ... and keeps this one meanwhile.
 };
@@ -104,12 +105,16 @@ std::vector<std::filesystem::path> hard_case_files(const std::filesystem::path& 
 struct Outcome {
     Condition condition;
     double value = 0, seconds = 0;
+    bool measured = false;
 
     bool holds() const { return keeps(condition.bound); }
     bool keeps(double bound) const { return condition.must == Must::be_at_most ? value <= bound : value >= bound; }
 };
 
-/// Plays every variant (only the first if `quick`) and measures every condition.
+/// Whether a condition is asked of this variant.
+bool is_asked_of(const Scene& scene, const Condition& condition);
+
+/// Plays every variant (only the first if `quick`) and measures every condition that is asked of any of them.
 std::vector<Outcome> examine(const HardCase& hard_case, bool quick = false);
 
 }  // namespace app::bench

@@ -53,6 +53,8 @@ Shape thread() {
                   {"friction", quantity(0, 10), false, 0.15},
                   {"friction_tool", quantity(0, 10), false, 0.15},
                   {"axial_stiffness_N", quantity(1e-6, 1e9, "N"), false, 15.9},
+                  {"axial_over_bending", quantity(0, 1e9), false, 0},
+                  {"keeps_shape", {.types = boolean}, false, false},
                   {"links", count(1, 5000)},
                   {"link_over_diameter", quantity(1e-3, 100), false, 1},
                   {"short_link", group({{"after", node(), true}, {"share", quantity(1e-9, 0.5), true}})},
@@ -111,6 +113,7 @@ Shape condition() {
                          {"part", count(0, 99), false, 0},
                          {"factor", quantity(1e-6, 1e6), false, 1},
                          {"knot", words()},
+                         {"model", choice({"ftl", "elastic"})},
                          {"known", words()},
                          {"today", quantity(-1e12, 1e12)}});
     shape.one_of = {"at_most", "at_least"};

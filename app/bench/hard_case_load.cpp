@@ -26,6 +26,7 @@ Condition condition_of(const json& value, const Scene& scene) {
     c.tool = value["part"];
     c.factor = value["factor"];
     c.knot = value.value("knot", "");
+    c.model = value.value("model", "");
     c.known = value.value("known", "");
     if (value.contains("today")) c.today = value["today"];
     return c;
@@ -92,6 +93,9 @@ HardCase parse_hard_case(const std::string& text, const std::filesystem::path& f
         hard_case.conditions = conditions_of(value, hard_case.scenes.front());
         for (std::size_t i = 0; i < variants.size(); ++i)
             hard_case.scenes.push_back(variant_of(given, variants[i], folder, "/variants/" + std::to_string(i)));
+        for (std::size_t i = 0; i < hard_case.conditions.size(); ++i)
+            if (std::none_of(hard_case.scenes.begin(), hard_case.scenes.end(), [&](const Scene& s) { return is_asked_of(s, hard_case.conditions[i]); }))
+                throw Misfit{"/expect/" + std::to_string(i) + "/model", "expected that of a variant"};
         return hard_case;
     } catch (const Misfit& misfit) {
         parsed.fail(misfit.pointer, misfit.what);

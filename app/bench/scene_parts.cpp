@@ -167,7 +167,7 @@ Scene scene_of(const json& value, const std::filesystem::path& folder) {
     } else {
         const json& thread = value["thread"];
         scene.thread = {mm * thread["radius_mm"].get<double>(), thread["friction"], thread["friction_tool"], thread["axial_stiffness_N"]};
-        if (thread["model"] == "elastic") scene.thread.elastic = {.axial_over_bending = 0};  // polypropylene
+        if (thread["model"] == "elastic") scene.thread.elastic = {.axial_over_bending = thread["axial_over_bending"], .keeps_shape = thread["keeps_shape"]};  // polypropylene
         scene.nodes = nodes_of(thread, folder);
     }
     if (static_cast<double>(scene.nodes.size()) * scene.duration / scene.tick > most_places)

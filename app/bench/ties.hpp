@@ -47,5 +47,9 @@ Tied ties(std::uint64_t seed, const EachTick& each = {}, bool elastic = false);
 std::string words(std::uint64_t seed, const Tie& tie, const Tied& tied);
 
 std::vector<Row> ties_rows(bool quick);
+std::vector<Row> elastic_ties_rows(int seeds);
+
+/// A thousand ties of an elastic thread; `quick`: twenty.
+Suite elastic_ties_suite(bool quick, const Progress& progress);
 
 }  // namespace app::bench

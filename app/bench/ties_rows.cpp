@@ -12,29 +12,59 @@ static double takes_up_when_tight(Knot knot) {
     return least[static_cast<std::size_t>(knot)];
 }
 
+namespace {
+
+/// Of many seeds.
+struct Tally {
+    double passes = 0, changed = 0, stretch = 0, seconds = 0;
+    std::vector<double> left;  ///< Where there was no friction: a thread that follows its hands comes as tight as an ideal one.
+};
+
+Tally tally(int seeds, bool elastic) {
+    const Stopwatch watch;
+    Tally all;
+    for (int seed = 0; seed < seeds; ++seed) {
+        const Tied tied = ties(static_cast<std::uint64_t>(seed), {}, elastic);
+        all.passes += tied.pass_throughs;
+        all.changed += tied.changed();
+        all.stretch = std::max(all.stretch, tied.stretch);
+        if (const Tie tie = tie_of(static_cast<std::uint64_t>(seed)); tie.friction == 0) all.left.push_back(tied.left / takes_up_when_tight(tie.knot));
+    }
+    all.seconds = watch.seconds();
+    return all;
+}
+
+std::string words_of(int seeds, bool elastic) {
+    return std::to_string(seeds) + " seeded ties of eight knots" + (elastic ? ", elastic thread: " : ": ");
+}
+
+}  // namespace
+
+std::vector<Row> elastic_ties_rows(int seeds) {
+    const Tally all = tally(seeds, true);
+    const std::string what = words_of(seeds, true);
+    return {{.id = "elastic-ties-passes", .what = what + "pass-throughs", .value = all.passes, .unit = "count", .bound = 0, .error = {},
+             .seconds = all.seconds},
+            {.id = "elastic-ties-changed", .what = what + "knots whose name changed: loops may slip over an end", .value = all.changed,
+             .unit = "count", .bound = {}, .error = {}},
+            {.id = "elastic-ties-stretch", .what = what + "worst link at any time; tools wait at a tenth", .value = all.stretch,
+             .unit = "share", .bound = 0.100001, .error = {}}};
+}
+
+Suite elastic_ties_suite(bool quick, const Progress&) { return {"elastic-ties", elastic_ties_rows(quick ? 20 : 1000)}; }
+
 std::vector<Row> ties_rows(bool quick) {
     const int seeds = quick ? 200 : 1000;
-    const Stopwatch watch;
-    double passes = 0, changed = 0, stretch = 0;
-    std::vector<double> left;  // where there was no friction: a thread that follows its hands comes as tight as an ideal one
-    for (int seed = 0; seed < seeds; ++seed) {
-        const Tied tied = ties(static_cast<std::uint64_t>(seed));
-        passes += tied.pass_throughs;
-        changed += tied.changed();
-        stretch = std::max(stretch, tied.stretch);
-        if (const Tie tie = tie_of(static_cast<std::uint64_t>(seed)); tie.friction == 0) left.push_back(tied.left / takes_up_when_tight(tie.knot));
-    }
-    const std::string what = std::to_string(seeds) + " seeded ties of eight knots: ";
-    return {{.id = "ties-passes", .what = what + "pass-throughs", .value = passes, .unit = "count", .bound = 0, .error = {},
-        .seconds = watch.seconds()},
-            {.id = "ties-changed", .what = what + "knots whose name changed", .value = changed, .unit = "count", .bound = 0,
-                .error = {}},
-            {.id = "ties-slack", .what = what
-                + "without friction, what the knot takes up in the end over what it takes up tight; median",
-                .value = percentile(left, 0.5),
-             .unit = "ratio", .bound = {}, .error = {}},
-            {.id = "ties-stretch", .what = what + "worst link at any time", .value = stretch, .unit = "share", .bound = {},
-                .error = {}}};
+    const Tally all = tally(seeds, false);
+    const std::string what = words_of(seeds, false);
+    std::vector<Row> rows{
+        {.id = "ties-passes", .what = what + "pass-throughs", .value = all.passes, .unit = "count", .bound = 0, .error = {}, .seconds = all.seconds},
+        {.id = "ties-changed", .what = what + "knots whose name changed", .value = all.changed, .unit = "count", .bound = 0, .error = {}},
+        {.id = "ties-slack", .what = what + "without friction, what the knot takes up in the end over what it takes up tight; median",
+         .value = percentile(all.left, 0.5), .unit = "ratio", .bound = {}, .error = {}},
+        {.id = "ties-stretch", .what = what + "worst link at any time", .value = all.stretch, .unit = "share", .bound = {}, .error = {}}};
+    for (Row& row : elastic_ties_rows(quick ? 20 : 100)) rows.push_back(std::move(row));  // a second each: all 1000 are a suite of their own
+    return rows;
 }
 
 }  // namespace app::bench

@@ -47,6 +47,8 @@ const ConditionKind& condition_kind(const std::string& name);
 
 /// Those that play the scene again in another way.
 const std::vector<ConditionKind>& twin_kinds();
+/// Those that look at the energy of an elastic thread.
+const std::vector<ConditionKind>& energy_kinds();
 /// Those that look at the shape of the thread and at what it touches.
 const std::vector<ConditionKind>& shape_kinds();
 

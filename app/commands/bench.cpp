@@ -6,6 +6,7 @@
 #include "app/bench/speed.hpp"
 #include "app/bench/speed_vs_error.hpp"
 #include "app/bench/stability.hpp"
+#include "app/bench/ties.hpp"
 #include "app/bench/tissue.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
@@ -35,6 +36,7 @@ constexpr Known suites[] = {
     {"accuracy", bench::accuracy_suite},
     {"tissue", bench::tissue_suite},
     {"stability", stability},
+    {"elastic-ties", bench::elastic_ties_suite},
     {"knots", naming},
 };
 

@@ -133,6 +133,7 @@ class Reader {
         thread.friction = entry["friction"];
         thread.friction_tool = entry["friction_tool"];
         thread.links = static_cast<int>(entry["links"].get<double>());
+        thread.contacts_per_tick = static_cast<int>(entry["contacts_per_tick"].get<double>());
         if (thread.length / thread.links < thread.diameter)
             document_.fail("/thread/links", "links would be shorter than the thread is thick, expected at most " +
                                                 std::to_string(static_cast<int>(thread.length / thread.diameter)));

@@ -82,6 +82,9 @@ Shape thread() {
          {"shortest_link_mm",
           quantity("Where the thread bends or touches itself links are halved, down to this, and joined again where it is straight; 0: never. "
                    "Default: diameter_mm.", 0, 1000, "mm")},
+         {"contacts_per_tick",
+          count("Of an elastic thread: a tick that has solved so many leaves the rest of the tools' motion to the next, so that none takes long; 0: never.", 0, 100000),
+          false, 0},
          {"model", choice("What moves the thread: ftl, by its geometry alone; elastic, a rod that bends and stretches by its material.", {"ftl", "elastic"}), false,
           "ftl"},
          {"start_mm",

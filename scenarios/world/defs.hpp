@@ -27,6 +27,7 @@ struct ThreadDef {
     double friction_tool = 0.15;           ///< Coulomb, thread on the smooth outside of a tool.
     int links = 300;
     double shortest_link = 0;              ///< [m] that links are halved to where they bend or touch; 0: they stay as they are.
+    int contacts_per_tick = 0;             ///< As sim::thread::ThreadDef.
     std::vector<Vec3> start;               ///< Path of the thread at t = 0 [m]; resampled to equal links from its first point.
 };
 

@@ -65,6 +65,9 @@ void flatten(Grasp& grasp, const JawRoom& room) {
     for (int k = middle; k > 0; --k) lay(k, k - 1);
 }
 
+template <class T>
+const T& at(std::span<const T> values, int i) { return values[static_cast<std::size_t>(i)]; }
+
 }  // namespace
 
 bool World::is_held(int node) const {
@@ -123,18 +126,42 @@ void World::update_grasps() {
     }
 }
 
+// What its free strands pull the one way more than the other [N]; of `ftl`, which has no forces, the estimate.
+double World::pull_on(const Grasp& grasp) const {
+    return is_elastic() ? std::abs(tension_after(grasp) - tension_before(grasp)) : tension_at(grasp.middle());
+}
+
+// An estimate from lag: all of it but the share that the grip bears.
+Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
+    const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
+    const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor - thread_.nodes()[static_cast<std::size_t>(grasp.middle())];
+    return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
+}
+
+// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip; along itself where it leaves the jaws, by
+// its radius a tick at most.
+Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
+    const bool ahead = tension_after(grasp) > tension_before(grasp);
+    const int last = static_cast<int>(thread_.tension().size()) - 1, inner = ahead ? grasp.first + grasp.count - 1 : grasp.first;
+    const int outwards = ahead ? 1 : -1, link = ahead ? inner : inner - 1;
+    const double excess = pull_on(grasp) - tool.shape.grip_force, borne = at(thread_.tension(), link) - excess;
+    double tight = 0;
+    for (int k = link; k >= 0 && k <= last && at(thread_.tension(), k) > borne; k += outwards) tight += at(thread_.rest_lengths(), k);
+    const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * tight;
+    const Vec3 along = grasp.count > 1 ? at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)
+                                       : at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner);
+    return std::min(slide, thread_.def().radius) * along.normalized();
+}
+
 // Jaws hold up to their grip force. Beyond it the strand slides between them along itself by just so much that the
-// estimate falls back to the grip force. False when it has slid out.
+// tension falls back to the grip force. False when it has slid out.
 bool World::slip(Tool& tool, Grasp& grasp) {
-    const double tension = tension_at(grasp.middle());
-    if (tension <= tool.shape.grip_force) return true;
+    if (pull_on(grasp) <= tool.shape.grip_force) return true;
     if (!tool.slipping) log("slip", tool.def.name, tool.shape.grip_force);
     tool.slipping = true;
     const auto nodes = thread_.nodes();
-    const auto middle = static_cast<std::size_t>(grasp.middle());
-    const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
-    const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor - nodes[middle];
-    const Vec3 back = tool.now.pose.rotation.conjugate() * ((1 - tool.shape.grip_force / tension) * lag);
+    const Vec3 slide = is_elastic() ? slide_by_stretch(tool, grasp) : slide_by_lag(tool, grasp);
+    const Vec3 shift = tool.now.pose.rotation.conjugate() * slide;
 
     // What the jaws hold now: the nodes that are in their room after the shift, in the place they then have.
     const JawRoom room(tool.shape, tool.now.jaw);
@@ -143,8 +170,9 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     for (int k = std::max(0, grasp.first - 1); k <= std::min(last, grasp.first + grasp.count); ++k) {
         const bool was_held = k >= grasp.first && k < grasp.first + grasp.count;
         if (!was_held && is_held(k)) continue;
-        Vec3 place = was_held ? Vec3(grasp.anchor[static_cast<std::size_t>(k - grasp.first)] - back)
-                              : in_tool(tool.now, nodes[static_cast<std::size_t>(k)]);
+        // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
+        const bool from_anchor = was_held && !is_elastic();
+        const Vec3 place = shift + (from_anchor ? grasp.anchor[static_cast<std::size_t>(k - grasp.first)] : in_tool(tool.now, at(nodes, k)));
         const double half_link = 0.5 * thread_.rest_lengths()[static_cast<std::size_t>(std::min(k, last - 1))];
         if (std::abs(place.y()) > tool.shape.jaw_radius + 2 * half_link || !room.holds({0, 0, place.z()}, 0)) continue;
         if (shifted.count == Grasp::most || (shifted.count > 0 && k != shifted.first + shifted.count)) break;
@@ -158,7 +186,7 @@ bool World::slip(Tool& tool, Grasp& grasp) {
 void World::let_grasps_slip() {
     for (Tool& tool : tools_) {
         bool holds = true;
-        for (const Grasp& grasp : tool.grasps) holds &= tension_at(grasp.middle()) <= tool.shape.grip_force;
+        for (const Grasp& grasp : tool.grasps) holds &= pull_on(grasp) <= tool.shape.grip_force;
         if (holds) tool.slipping = false;
         for (std::size_t g = 0; g < tool.grasps.size();) {
             if (slip(tool, tool.grasps[g])) {

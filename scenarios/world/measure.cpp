@@ -21,6 +21,16 @@ double World::tension_at(int node) const {
     return std::max(k > 0 ? tension[k - 1] : 0.0, k < tension.size() ? tension[k] : 0.0);
 }
 
+// Of the first links that the jaws do not hold; nought where there is none, or it is pushed together.
+double World::tension_before(const Grasp& grasp) const {
+    return grasp.first > 0 ? std::max(0.0, thread_.tension()[static_cast<std::size_t>(grasp.first) - 1]) : 0;
+}
+
+double World::tension_after(const Grasp& grasp) const {
+    const auto link = static_cast<std::size_t>(grasp.first + grasp.count) - 1;
+    return link < thread_.tension().size() ? std::max(0.0, thread_.tension()[link]) : 0;
+}
+
 // No thread pulls harder than the jaws that hold it: beyond their grip it slides. The estimate from lag alone knows no
 // such limit.
 double World::weakest_grip() const {
@@ -47,7 +57,8 @@ void World::measure(const sim::thread::TickReport& report) {
     }
     measures_.duration_s = t;
     const auto tension = thread_.tension();
-    tension_now_ = std::min(*std::max_element(tension.begin(), tension.end()), weakest_grip());
+    tension_now_ = *std::max_element(tension.begin(), tension.end());
+    if (!is_elastic()) tension_now_ = std::min(tension_now_, weakest_grip());
     raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];

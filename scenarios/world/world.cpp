@@ -26,7 +26,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
         path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
         left -= length;
     }
-    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link};
+    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link, def.contacts_per_tick};
     if (def.model == "elastic") thread.elastic = elastic(def);
     return {thread, sim::thread::resample(path, def.links)};
 }

@@ -91,7 +91,13 @@ class World {
     void take_hold(Tool& tool);
     bool is_held(int node) const;
     bool slip(Tool& tool, Grasp& grasp);
+    bool is_elastic() const { return thread_.def().elastic.has_value(); }
     double tension_at(int node) const;
+    double tension_before(const Grasp& grasp) const;
+    double tension_after(const Grasp& grasp) const;
+    double pull_on(const Grasp& grasp) const;
+    Vec3 slide_by_lag(const Tool& tool, const Grasp& grasp) const;
+    Vec3 slide_by_stretch(const Tool& tool, const Grasp& grasp) const;
     double weakest_grip() const;
     static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last);
     void log(const char* kind, const std::string& what, double value);

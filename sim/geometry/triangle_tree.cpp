@@ -16,20 +16,20 @@ static Box box_of(const Triangle& t) {
 
 // Median split on the longest axis of the centres' box. Equal keys fall back on the index: one tree per input.
 TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
-    for (const Triangle& t : triangles_) normals_.push_back((t.b - t.a).cross(t.c - t.a).normalized());
+    for (const Triangle& t : triangles_) boxes_.push_back(box_of(t)), normals_.push_back((t.b - t.a).cross(t.c - t.a).normalized());
     order_.resize(triangles_.size());
     std::iota(order_.begin(), order_.end(), 0);
     if (triangles_.empty()) return;
 
     std::vector<Vec3> centre;
-    for (const Triangle& t : triangles_) centre.push_back((box_of(t).low + box_of(t).high) / 2);
+    for (const Box& box : boxes_) centre.push_back((box.low + box.high) / 2);
     nodes_.push_back({{}, 0, size()});
     for (std::size_t at = 0; at < nodes_.size(); ++at) {  // children are appended, so this visits every node
         const int first = nodes_[at].first, count = nodes_[at].count;
         Box centres;
         for (int i = first; i < first + count; ++i) {
             const auto index = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
-            nodes_[at].box.include(box_of(triangles_[index]));
+            nodes_[at].box.include(boxes_[index]);
             centres.include(centre[index]);
         }
         if (count <= leaf_size) continue;
@@ -63,7 +63,7 @@ void TriangleTree::near(const Box& box, std::vector<int>& found) const {
         }
         for (int i = node.first; i < node.first + node.count; ++i) {
             const int index = order_[static_cast<std::size_t>(i)];
-            if (box_of(triangles_[static_cast<std::size_t>(index)]).overlaps(box)) found.push_back(index);
+            if (boxes_[static_cast<std::size_t>(index)].overlaps(box)) found.push_back(index);
         }
     }
 }

@@ -23,6 +23,7 @@ class TriangleTree {
         return (h0 > 0) == (h1 > 0) ? std::min(std::abs(h0), std::abs(h1)) : 0;
     }
 
+    const Box& box(int i) const { return boxes_[static_cast<std::size_t>(i)]; }
     const Triangle& operator[](int i) const { return triangles_[static_cast<std::size_t>(i)]; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
     int size() const { return static_cast<int>(triangles_.size()); }
@@ -33,6 +34,7 @@ class TriangleTree {
         int first, count;  ///< Leaf: range in order_. Inner: count 0, children at first and first + 1.
     };
     std::vector<Triangle> triangles_;
+    std::vector<Box> boxes_;
     std::vector<Vec3> normals_;  ///< Of unit length; zero for a triangle without area.
     std::vector<int> order_;
     std::vector<Node> nodes_;

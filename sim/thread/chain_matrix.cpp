@@ -1,9 +1,6 @@
 #include "sim/thread/chain_matrix.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
-#include <new>
 
 namespace sim::thread {
 
@@ -12,26 +9,10 @@ using Four = Eigen::Matrix<double, 4, 1>;
 
 template <class Column>
 static Eigen::Map<Column> at(double* p) { return Eigen::Map<Column>(p); }
-template <class Column>
-static Eigen::Map<const Column> at(const double* p) { return Eigen::Map<const Column>(p); }
 
-void ChainMatrix::clear(std::size_t nodes, std::span<const int> touching) {
+void ChainMatrix::clear(std::size_t nodes) {
     nodes_ = nodes;
     band_.assign((3 * nodes + width) * stride, 0.0);
-    touching_.assign(touching.begin(), touching.end());
-    place_.assign(nodes, -1);
-    for (std::size_t k = 0; k < touching_.size(); ++k) place_[static_cast<std::size_t>(touching_[k])] = static_cast<int>(k);
-    find_pieces();
-}
-
-void ChainMatrix::find_pieces() {
-    pieces_.clear();
-    for (std::size_t i = 0; i < nodes_;) {
-        const std::size_t first = i;
-        while (i < nodes_ && place_[i] < 0) ++i;
-        if (i > first) pieces_.push_back({first, i, first > 0});
-        while (i < nodes_ && place_[i] >= 0) ++i;
-    }
 }
 
 void ChainMatrix::add(std::size_t i, std::size_t j, const Block& block) {
@@ -61,33 +42,12 @@ void ChainMatrix::fix(std::size_t i) {
     }
 }
 
+// L D L^T, column by column; each takes its part from the eight after it.
 bool ChainMatrix::factor(double more) {
     factor_ = band_;
-    for (std::size_t c = 0; c < 3 * nodes_; ++c) factor_[c * stride] += more;
-    const auto size = static_cast<Eigen::Index>(3 * touching_.size());
-    dense_room_.assign(static_cast<std::size_t>(size * size), 0.0);
-    new (&dense_) Eigen::Map<Dense>(dense_room_.data(), size, size);
-    if (size > 0) edges_.assign((3 * nodes_ + width) * edge_stride, 0.0);
-    for (const Piece& piece : pieces_) {
-        if (piece.after_touching) reach_back(piece);
-        if (!eliminate(piece)) return false;
-        if (piece.after_touching) give_to_touching(piece);
-    }
-    return size == 0 || factor_touching();
-}
-
-// What the two nodes before a piece and its first two do to each other.
-void ChainMatrix::reach_back(const Piece& piece) {
-    own_.setZero();
-    const std::size_t from = 3 * (piece.first - 2), end = 3 * piece.last - from;
-    for (std::size_t c = 0; c < edge; ++c)
-        for (std::size_t r = edge; r < std::min(c + width, end); ++r) edges_[(from + r) * edge_stride + c] = band_[(from + c) * stride + r - c];
-}
-
-// L D L^T, column by column; each takes its part from the eight after it and from the nodes before the piece.
-bool ChainMatrix::eliminate(const Piece& piece) {
-    for (std::size_t c = 3 * piece.first; c < 3 * piece.last; ++c) {
+    for (std::size_t c = 0; c < 3 * nodes_; ++c) {
         double* const pivot = factor_.data() + c * stride;
+        pivot[0] += more;
         if (!(pivot[0] > 0)) return false;
         pivot[0] = 1 / pivot[0];
         double below[16];
@@ -96,53 +56,75 @@ bool ChainMatrix::eliminate(const Piece& piece) {
         at<Eight>(pivot + 1) *= pivot[0];
         for (std::size_t k = 0; k < 4; ++k) at<Eight>(pivot + (k + 1) * stride) -= pivot[k + 1] * at<Eight>(below + k);
         for (std::size_t k = 4; k < 8; ++k) at<Four>(pivot + (k + 1) * stride) -= pivot[k + 1] * at<Four>(below + k);
-        if (!piece.after_touching) continue;
-        double* const back = edges_.data() + c * edge_stride;
-        for (std::size_t k = 0; k < 8; ++k) at<Eight>(back + (k + 1) * edge_stride) -= pivot[k + 1] * at<Eight>(back);
-        const Eight scaled = pivot[0] * at<Eight>(back);
-        own_.noalias() -= scaled * at<Eight>(back).transpose();
-        at<Eight>(back) = scaled;
     }
     return true;
 }
 
-void ChainMatrix::give_to_touching(const Piece& piece) {
-    const Eigen::Index before = row_of(piece.first - 2);
-    dense_.block<edge, edge>(before, before) += own_.topLeftCorner<edge, edge>();
-    if (piece.last == nodes_) return;
-    const Eigen::Index after = row_of(piece.last);
-    for (int r = 0; r < edge; ++r)
-        dense_.block<1, edge>(after + r, before) += at<Eight>(edges_.data() + (3 * piece.last + static_cast<std::size_t>(r)) * edge_stride).head<edge>().transpose();
-}
-
-bool ChainMatrix::factor_touching() {
-    for (const int node : touching_) {
-        const auto i = static_cast<std::size_t>(node);
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t r = c; r < c + width && 3 * i + r < 3 * nodes_; ++r)
-                if (place_[i + r / 3] >= 0)
-                    dense_(row_of(i + r / 3) + static_cast<Eigen::Index>(r % 3), row_of(i) + static_cast<Eigen::Index>(c)) += factor_[(3 * i + c) * stride + r - c];
+// The inverse Z = D^-1 L^-1 + (1 - L^T) Z within the band, from its end [Takahashi, Fagan and Chin 1973].
+void ChainMatrix::invert_band() {
+    inverse_band_.resize(band_.size());
+    double next[8][8] = {};  // of the next eight rows and columns
+    for (std::size_t c = 3 * nodes_; c-- > 0;) {
+        const double* const below = factor_.data() + c * stride;
+        Eight column = Eight::Zero();
+        for (std::size_t k = 0; k < 8; ++k) column -= below[k + 1] * at<Eight>(next[k]);
+        double pivot = below[0];
+        for (std::size_t k = 0; k < 8; ++k) pivot -= below[k + 1] * column[static_cast<int>(k)];
+        double* const kept = inverse_band_.data() + c * stride;
+        kept[0] = pivot;
+        at<Eight>(kept + 1) = column;
+        for (std::size_t k = 8; k-- > 1;) {
+            for (std::size_t r = 8; r-- > 1;) next[k][r] = next[k - 1][r - 1];
+            next[k][0] = column[static_cast<int>(k) - 1];
+        }
+        at<Eight>(next[0]) = at<Eight>(kept);
     }
-    const Eigen::LLT<Eigen::Ref<Dense>> in_place(dense_);
-    return in_place.info() == Eigen::Success;
 }
 
-Eigen::Map<const Eigen::MatrixXd> ChainMatrix::touching_inverse() {
-    const Eigen::Index size = dense_.rows();
+// Above the band Z is what its next eight rows make of it: the three columns of each node, from there up to the first node.
+Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> nodes) {
+    const auto size = static_cast<Eigen::Index>(3 * nodes.size());
     inverse_.resize(static_cast<std::size_t>(size * size));
-    Eigen::Map<Dense> inverse(inverse_.data(), size, size);
-    inverse.setIdentity();
-    dense_.triangularView<Eigen::Lower>().solveInPlace(inverse);
-    dense_.transpose().triangularView<Eigen::Upper>().solveInPlace(inverse);
+    Eigen::Map<Eigen::MatrixXd> inverse(inverse_.data(), size, size);
+    invert_band();
+    for (std::size_t place = 0; place < nodes.size(); ++place) {
+        const std::size_t node = static_cast<std::size_t>(nodes[place]);
+        Four window[12];  // rows of the node on its way and of the three after it
+        for (std::size_t r = 0; r < 9; ++r)
+            for (std::size_t c = 0; c < 3; ++c) window[r][static_cast<int>(c)] = inverse_band_[(3 * node + std::min(r, c)) * stride + (r < c ? c - r : r - c)];
+        for (std::size_t r = 0; r < 12; ++r) window[r][3] = 0;
+        const auto keep = [&](std::size_t row) {
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c) {
+                    const Eigen::Index i = static_cast<Eigen::Index>(3 * row) + r, j = static_cast<Eigen::Index>(3 * place) + c;
+                    inverse(i, j) = inverse(j, i) = window[r][c];
+                }
+        };
+        keep(place);
+        std::size_t row = place;
+        for (std::size_t i = node; row > 0; --i) {
+#pragma GCC unroll 9
+            for (std::size_t r = 12; r-- > 3;) window[r] = window[r - 3];
+#pragma GCC unroll 3
+            for (std::size_t c = 3; c-- > 0;) {
+                const double* const below = factor_.data() + (3 * (i - 1) + c) * stride;
+                Four sum = -below[8] * window[c + 8];
+#pragma GCC unroll 7
+                for (std::size_t k = 7; k > 0; --k) sum -= below[k] * window[c + k];
+                window[c] = sum;
+            }
+            if (static_cast<std::size_t>(nodes[row - 1]) == i - 1) keep(--row);
+        }
+    }
     return {inverse_.data(), size, size};
 }
 
 // Node by node, what is still to be eliminated of the next two in registers.
-void ChainMatrix::solve_forward(const Piece& piece, std::vector<Vec3>& x) const {
-    double window[9], back[edge] = {};
+void ChainMatrix::solve_forward(std::vector<Vec3>& x) const {
+    double window[9];
     const std::size_t past = nodes_ - 1;
-    for (int r = 0; r < 6; ++r) window[r] = x[std::min(piece.first + static_cast<std::size_t>(r / 3), past)][r % 3];
-    for (std::size_t i = piece.first; i < piece.last; ++i) {
+    for (int r = 0; r < 6; ++r) window[r] = x[std::min(static_cast<std::size_t>(r / 3), past)][r % 3];
+    for (std::size_t i = 0; i < nodes_; ++i) {
 #pragma GCC unroll 9
         for (int r = 0; r < 3; ++r) window[6 + r] = x[std::min(i + 2, past)][r];
 #pragma GCC unroll 3
@@ -150,35 +132,23 @@ void ChainMatrix::solve_forward(const Piece& piece, std::vector<Vec3>& x) const 
             const double* const below = factor_.data() + (3 * i + c) * stride;
 #pragma GCC unroll 9
             for (std::size_t r = c + 1; r < 9; ++r) window[r] -= window[c] * below[r - c];
-            if (!piece.after_touching) continue;
-            for (std::size_t e = 0; e < edge; ++e) back[e] += window[c] * edges_[(3 * i + c) * edge_stride + e];
         }
 #pragma GCC unroll 9
         for (std::size_t r = 0; r < 3; ++r) x[i][static_cast<int>(r)] = window[r];
 #pragma GCC unroll 9
         for (std::size_t r = 0; r < 6; ++r) window[r] = window[r + 3];
     }
-    for (std::size_t r = 0; r < 6; ++r)
-        if (piece.last + r / 3 < nodes_) x[piece.last + r / 3][static_cast<int>(r % 3)] = window[r];
-    if (piece.after_touching)
-        for (std::size_t e = 0; e < edge; ++e) x[piece.first - 2 + e / 3][static_cast<int>(e % 3)] -= back[e];
 }
 
-void ChainMatrix::solve_backward(const Piece& piece, std::vector<Vec3>& x) const {
-    double window[9] = {}, back[edge] = {};
-    for (std::size_t r = 0; r < 6; ++r)
-        if (piece.last + r / 3 < nodes_) window[3 + r] = x[piece.last + r / 3][static_cast<int>(r % 3)];
-    if (piece.after_touching)
-        for (std::size_t e = 0; e < edge; ++e) back[e] = x[piece.first - 2 + e / 3][static_cast<int>(e % 3)];
-    for (std::size_t i = piece.last; i-- > piece.first;) {
+void ChainMatrix::solve_backward(std::vector<Vec3>& x) const {
+    double window[9] = {};
+    for (std::size_t i = nodes_; i-- > 0;) {
 #pragma GCC unroll 3
         for (std::size_t c = 3; c-- > 0;) {
             const double* const below = factor_.data() + (3 * i + c) * stride;
             double rest = x[i][static_cast<int>(c)] * below[0];
 #pragma GCC unroll 9
             for (std::size_t r = 8; r > c; --r) rest -= below[r - c] * window[r];
-            if (piece.after_touching)
-                for (std::size_t e = 0; e < edge; ++e) rest -= edges_[(3 * i + c) * edge_stride + e] * back[e];
             window[c] = rest;
         }
 #pragma GCC unroll 9
@@ -189,16 +159,8 @@ void ChainMatrix::solve_backward(const Piece& piece, std::vector<Vec3>& x) const
 }
 
 void ChainMatrix::solve(std::vector<Vec3>& x) const {
-    for (const Piece& piece : pieces_) solve_forward(piece, x);
-    if (!touching_.empty()) {
-        touching_x_.resize(3 * touching_.size());
-        Eigen::Map<Eigen::VectorXd> together(touching_x_.data(), dense_.rows());
-        for (const int node : touching_) together.segment<3>(row_of(static_cast<std::size_t>(node))) = x[static_cast<std::size_t>(node)];
-        dense_.triangularView<Eigen::Lower>().solveInPlace(together);
-        dense_.transpose().triangularView<Eigen::Upper>().solveInPlace(together);
-        for (const int node : touching_) x[static_cast<std::size_t>(node)] = together.segment<3>(row_of(static_cast<std::size_t>(node)));
-    }
-    for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece) solve_backward(*piece, x);
+    solve_forward(x);
+    solve_backward(x);
 }
 
 }  // namespace sim::thread

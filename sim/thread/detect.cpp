@@ -54,8 +54,9 @@ static void detect_surface(State& state) {
         surface.near(box.grown(state.reach), state.found);
         for (int i = first; i < last; ++i) {
             const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
+            const Box near_link = Box{a0.cwiseMin(a1), a0.cwiseMax(a1)}.grown(state.reach);
             for (const int triangle : state.found) {
-                if (surface.plane_gap(triangle, a0, a1) >= state.reach) continue;
+                if (!surface.box(triangle).overlaps(near_link) || surface.plane_gap(triangle, a0, a1) >= state.reach) continue;
                 const auto pair = closest_points(a0, a1, surface[triangle]);
                 if (pair.distance_squared < state.reach * state.reach)
                     add(state, Against::surface, i, triangle, state.def.radius, pair);

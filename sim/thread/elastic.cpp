@@ -9,12 +9,6 @@ namespace sim::thread {
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-static void look(State& state, double way) {
-    look_around(state, way);
-    measure_gaps(state, way);
-    aim(state);
-}
-
 // The largest share of the step that leaves every node within its bound, no contact's points farther along each other than links see
 // straight, and what was too far to push just touching.
 static double share_within_bounds(const State& state) {
@@ -62,11 +56,31 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
+// What of its motion a tool may make where it presses on a link: all that any may be in it while it hardly is, for the link answers within
+// the step; where that left it farther in, no farther than any may be.
+static double share_into(const State& state, const Row& row) {
+    const MovingCapsule& tool = state.input.capsules[at(row.other)];
+    const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
+    const double depth = row.thickness - row.distance, most = 0.8 * steel_limit * 2 * state.def.radius;  // the rest is for turns
+    const double room = depth < 0.6 * most ? most : std::max(0.0, most - depth);
+    return into > room ? room / into : 1;
+}
+
+// Whether the tool holds an end of the link.
+static bool goes_along(const State& state, const Row& row) {
+    const auto& holds = state.input.holds;
+    for (std::size_t h = 0; h < holds.size(); ++h)
+        if (state.input.hold_owners[h] == state.input.capsules[at(row.other)].owner && (holds[h].node == row.link || holds[h].node == row.link + 1)) return true;
+    return false;
+}
+
 // What share of the motion that is left tools may make before we look again.
 static double share_of_tools(const State& state, double left, const Motion& motion) {
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
+    for (const Row& row : state.rows)
+        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_into(state, row));
     return share / left;
 }
 
@@ -75,41 +89,67 @@ static void set_progress(State& state, double progress) {
     place_capsules(state);
 }
 
-// Tools first, as far as they may go, then the thread, and what it holds with it. Returns what is left of the tick's motion.
-static double step(State& state, double left, const Motion& motion, TickReport& report) {
+static double way_of_step(const State& state, double left, const Motion& motion) { return std::max(0.5 * state.def.radius, left * motion.most()); }
+
+// Tools first, by this share of what is left of their motion, then what the thread answers to first order.
+static void answer(State& state, double left, double tools, const Motion& motion, TickReport& report) {
     Rod& rod = *state.rod;
-    const double way = std::max(0.5 * state.def.radius, left * motion.most());
-    state.before = state.nodes;
-    state.capsules_before = state.capsules;
-    look(state, way);
-    const double tools = share_of_tools(state, left, motion);
+    const double way = way_of_step(state, left, motion);
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
         state.moved += largest_capsule_move(state);
-        look(state, way);
+        look_around(state, way);
     }
+    measure_gaps(state, way);
+    aim(state);
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : state.targets) hold.target = state.nodes[at(hold.node)] + tools * (hold.target - state.nodes[at(hold.node)]);
-    rod.find_free_step(state.targets, state.pairs, state.rolling, state.touching);
+    rod.find_free_step(state.targets, state.pairs, state.rolling);
     report.sweeps += solve_presses(state);
     add_changes(state);
-    const double share = rod.go_by(share_within_bounds(state), state.before, state.bound);
+}
+
+/// Of a tick.
+struct Left {
+    double motion = 1;    ///< Share that tools have still to make.
+    bool is_taut = false;  ///< They wait: they pulled as hard as any may.
+};
+
+// Where the answer would pull a link harder than any may tools wait, and the thread answers without them: one that stopped with them
+// could not even give way. What would then still be pulled too hard, as by the way it bends, does stop it.
+static Left step(State& state, double left, const Motion& motion, TickReport& report) {
+    Rod& rod = *state.rod;
+    state.before = state.nodes;
+    state.capsules_before = state.capsules;
+    look_around(state, way_of_step(state, left, motion));
+    measure_tool_gaps(state);
+    constexpr double by_tools = 0.99;  // of the most pull; the rest is for what the thread does by itself
+    const double most = rod.def().most_pull();
+    double tools = share_of_tools(state, left, motion);
+    answer(state, left, tools, motion, report);
+    const double may_pull = rod.share_within(by_tools * most);
+    const bool is_taut = may_pull < 1;
+    if (is_taut) answer(state, left, tools *= may_pull, motion, report);
+    const double share = rod.go_by(std::min(rod.share_within(most), share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;
     set_progress(state, 1 - left);
-    return left;
+    return {left, is_taut};
 }
 
 void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr int most_steps = 8;
+    const int enough = state.def.contacts_per_tick;
     Rod& rod = *state.rod;
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
-    double left = 1;
-    for (int i = 0; i < most_steps && left > 0 && !(i > 0 && rod.is_taut()); ++i) {
-        left = step(state, left, motion, report);
+    Left left;
+    int pressed = 0;
+    for (int i = 0; i < most_steps && (enough == 0 || pressed < enough) && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
+        left = step(state, left.motion, motion, report);
         end_step(state, report);
+        pressed += static_cast<int>(state.presses.size());
     }
     rod.end();
     for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = rod.tension(k);

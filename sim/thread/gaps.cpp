@@ -79,6 +79,11 @@ static void merge_walls(std::vector<Row>& rows, double radius) {
     rows.erase(kept, rows.end());
 }
 
+void measure_tool_gaps(State& state) {
+    for (Contact& c : state.contacts)
+        if (c.against == Against::capsule) measure(state, c);
+}
+
 void measure_gaps(State& state, double way) {
     // Things not among the contacts were farther than `reach`.
     std::fill(state.bound.begin(), state.bound.end(), bound_share * std::max(0.0, state.reach - 2 * state.moved));

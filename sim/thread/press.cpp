@@ -52,7 +52,8 @@ static double place_of(const State& state, int link, double s) { return state.ar
 // face the same way say the same.
 static bool says_the_same(const State& state, const Row& a, const Row& b) {
     constexpr double same_way = 0.94;
-    const auto near = [&](double p, double q) { return std::abs(p - q) < state.def.radius; };
+    const double reach = a.against == Against::surface ? std::max(state.def.radius, state.rest[at(a.link)]) : state.def.radius;
+    const auto near = [&](double p, double q) { return std::abs(p - q) < reach; };
     return a.against == b.against && a.normal.dot(b.normal) > same_way && near(place_of(state, a.link, a.s), place_of(state, b.link, b.s)) &&
            (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
 }
@@ -120,23 +121,23 @@ void find_presses(State& state) {
 
 // How far the points of each move apart for a unit push at each other.
 static Responses measure_responses(State& state) {
-    ChainMatrix& matrix = state.rod->matrix();
-    const auto inverse = matrix.touching_inverse();
+    const auto inverse = state.rod->matrix().inverse_at(state.touching);
+    state.place.resize(state.nodes.size());
+    for (std::size_t k = 0; k < state.touching.size(); ++k) state.place[at(state.touching[k])] = axes(k);
     std::vector<Press>& presses = state.presses;
     const Eigen::Index size = axes(presses.size());
     auto moves = state.press_moves.resized(size, inverse.rows());
     auto responses = state.press_responses.resized(size, size);
-    const auto place = [&](int node) { return axes(at(matrix.place_of(at(node)))); };
     for (std::size_t c = 0; c < presses.size(); ++c) {
         const Pair& pair = presses[c].pair;
         moves.middleRows<3>(axes(c)).setZero();
-        for (int k = 0; k < pair.nodes; ++k) moves.middleRows<3>(axes(c)) += pair.weight[at(k)] * inverse.middleCols<3>(place(pair.node[at(k)])).transpose();
+        for (int k = 0; k < pair.nodes; ++k) moves.middleRows<3>(axes(c)) += pair.weight[at(k)] * inverse.middleCols<3>(state.place[at(pair.node[at(k)])]).transpose();
     }
     for (std::size_t d = 0; d < presses.size(); ++d)
         for (std::size_t c = d; c < presses.size(); ++c) {
             const Pair& pair = presses[c].pair;
             Mat3 block = Mat3::Zero();
-            for (int k = 0; k < pair.nodes; ++k) block += pair.weight[at(k)] * moves.block<3, 3>(axes(d), place(pair.node[at(k)]));
+            for (int k = 0; k < pair.nodes; ++k) block += pair.weight[at(k)] * moves.block<3, 3>(axes(d), state.place[at(pair.node[at(k)])]);
             responses.block<3, 3>(axes(d), axes(c)) = block;
             responses.block<3, 3>(axes(c), axes(d)) = block.transpose();
         }
@@ -201,13 +202,18 @@ static double sweep(State& state, const Responses& responses) {
 }
 
 // What the last sweep gained is carried on by `again` times where the ones before led.
-static void carry_on(State& state, const Responses& responses, double again) {
-    for (std::size_t c = 0; c < state.presses.size(); ++c) {
-        Press& press = state.presses[c];
+static void carry_on(State& state, double again) {
+    for (Press& press : state.presses) {
         const Vec3 gain = press.push - press.before;
         press.way *= again;
-        if (again > 0) push_more(state, responses, c, press.way);
+        press.push += press.way;
         press.way += gain;
+    }
+    for (std::size_t i = 0; i < state.apart.size(); ++i) {
+        const double gain = state.apart[i] - state.apart_before[i];
+        state.apart_way[i] *= again;
+        state.apart[i] += state.apart_way[i];
+        state.apart_way[i] += gain;
     }
 }
 
@@ -223,11 +229,13 @@ static int sweep_until_still(State& state, const Responses& responses) {
     constexpr double enough = 1e-5;  // of all pushes, by a sweep: with a hundred times that a loaded knot creeps on by its thickness every half second
     constexpr int most_sweeps = 60;
     double last = 0;
+    state.apart_way.assign(state.apart.size(), 0.0);
     for (int sweeps = 1;; ++sweeps) {
         for (Press& press : state.presses) press.before = press.push;
+        state.apart_before = state.apart;
         if (sweep(state, responses) < enough || sweeps == most_sweeps) return sweeps;
         const double now = gained(state);
-        carry_on(state, responses, now < last ? now / last : 0);
+        carry_on(state, now < last ? now / last : 0);
         last = now;
     }
 }

@@ -13,7 +13,9 @@ double RodDef::bending_stiffness() const { return bending_share * young * 0.25 *
 double RodDef::yield_curvature() const { return 16 / (3 * std::numbers::pi) * yield_strain / radius; }
 double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
 double RodDef::axial_stiffness(double link) const {
-    return axial_over_bending > 0 ? axial_over_bending * bending_stiffness() / (link * link) : young * std::numbers::pi * radius * radius;
+    if (axial_over_bending > 0) return axial_over_bending * bending_stiffness() / (link * link);
+    const double shorter = std::max(1.0, 0.5 * radius / link);  // than where it would stretch rather than bend
+    return young * std::numbers::pi * radius * radius * shorter * shorter;
 }
 double RodDef::most_pull() const { return 0.1 * young * std::numbers::pi * radius * radius; }
 // Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
@@ -260,7 +262,6 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
     spread_between_held(trial_);
     accept(trial_);
     find_touches(input.bodies);
-    touching_.clear();
     due_.clear();
     RodReport report;
     while (!is_settled(report) && report.iterations < most && improve()) ++report.iterations;
@@ -307,9 +308,8 @@ double Rod::improve() {
 
 // Nothing of how forces turn with the nodes but what stiffens: pressed by others a rod balances in many shapes in which it alone would
 // not.
-void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling, std::span<const int> touching) {
+void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     lead(targets);
-    touching_.assign(touching.begin(), touching.end());
     assemble(Keep::positive, pairs, rolling);
     matrix_.factor();
     find_newton_step();
@@ -323,28 +323,34 @@ void Rod::add_forces(const std::vector<Vec3>& forces) {
     for (std::size_t i = 0; i < spread_.size(); ++i) newton_[i] += spread_[i];
 }
 
-// What of the step pulls no link harder than any may be.
-double Rod::share_within_pull() const {
-    const double most = def_.most_pull();
+double Rod::share_within(double most) {
+    foresee_tensions();
     double share = 1;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double now = tension(static_cast<int>(k)), then = foreseen_[k];
-        if (then > most && then > now) share = std::min(share, std::max(0.0, most - now) / (then - now));
+        if (std::abs(then) > most && std::abs(then) > std::abs(now)) share = std::min(share, std::max(0.0, most - std::abs(now)) / std::abs(then - now));
     }
     return share;
+}
+
+// Whether links at `x` are no longer than they may be, or are: a kink that is pulled straight turns farther than its tensions foresee.
+bool Rod::pulls_within(const std::vector<Vec3>& x) const {
+    for (std::size_t k = 0; k < rest_.size(); ++k) {
+        const double longest = rest_[k] * (1 + def_.most_pull() / def_.axial_stiffness(rest_[k]));
+        if ((x[k + 1] - x[k]).norm() > std::max(longest, links_[k].length)) return false;
+    }
+    return true;
 }
 
 double Rod::go_by(double share, std::span<const Vec3> from, std::span<const double> bound) {
     const double largest = largest_turn();
     if (!std::isfinite(largest)) return 0;
     foresee_tensions();
-    const double may_pull = share_within_pull();
-    is_taut_ = may_pull < share;
-    share = std::min({share, may_pull, most_turn / largest});
+    share = std::min(share, most_turn / largest);
     const auto is_within = [&] {
         for (std::size_t i = 0; i < trial_.size(); ++i)
             if ((trial_[i] - from[i]).squaredNorm() > bound[i] * bound[i]) return false;
-        return true;
+        return pulls_within(trial_);
     };
     constexpr int halvings = 6;
     for (int half = 0; half < halvings; ++half, share *= 0.5) {

@@ -65,19 +65,19 @@ class Rod {
 
     /// The same in stages, for who knows what the rod touches. `input.holds` say which nodes are held.
     void begin(const RodInput& input, double seconds);
-    /// The step to where it and these forces balance to first order, with held nodes going to `targets`. `touching`: nodes whose
-    /// answers to forces are asked for, increasing and each beside another one.
-    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling, std::span<const int> touching);
-    /// Its touching_inverse() is what a unit force on touching nodes moves them by [m/N].
+    /// The step to where it and these forces balance to first order, with held nodes going to `targets`.
+    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling);
+    /// Its inverse is what a unit force on nodes moves them by [m/N].
     ChainMatrix& matrix() { return matrix_; }
     /// The step so far [m].
     std::span<const Vec3> step_found() const { return newton_; }
     /// Adds what these forces on all nodes [N] change about the step.
     void add_forces(const std::vector<Vec3>& forces);
+    /// What of the step pulls or pushes no link harder than `most` [N].
+    double share_within(double most);
     /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within `bound` of
     /// where it is in `from`; returns what it made.
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
-    bool is_taut() const { return is_taut_; }  ///< Whether that stopped where a link would have been pulled harder than RodDef::most_pull.
     void end();
 
     /// Between steps: a link cut at its middle, and two links made one where they meet. resize() after the last of them.
@@ -151,7 +151,7 @@ class Rod {
     double improve();
     void spread_between_held(std::vector<Vec3>& x) const;
     double largest_turn() const;
-    double share_within_pull() const;
+    bool pulls_within(const std::vector<Vec3>& x) const;
     void foresee_tensions();
     void try_share(double share);
     void take_trial(double share);
@@ -186,12 +186,10 @@ class Rod {
     std::vector<Vec3> start_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;
-    bool is_taut_ = false;
     double inertia_ = 0;                   // [1/s^2]
     std::vector<MovingCapsule> bodies_;
     double seconds_ = 0, tolerance_ = 0;
     std::vector<Link> links_, tried_;
-    std::vector<int> touching_;
     std::vector<double> foreseen_, lengths_, pivot_, upper_, shorten_;
     ChainMatrix matrix_;
 };

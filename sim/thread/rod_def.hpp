@@ -27,7 +27,8 @@ struct RodDef {
     double bending_stiffness() const;   ///< B = E I [N m^2].
     double yield_curvature() const;     ///< Most that it springs back by when let go of [1/m].
     double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
-    double axial_stiffness(double link) const;  ///< [N], of links of this length.
+    /// [N], of links of this length. Of one shorter than half a radius never less than a bend's next to it, B / link^2.
+    double axial_stiffness(double link) const;
     double most_pull() const;           ///< [N] at a strain of a tenth: no step pulls harder.
     double contact_stiffness(double link) const;  ///< [N/m], where strands are nearer to each other than they are thick.
     double mass_per_length() const;     ///< [kg/m]

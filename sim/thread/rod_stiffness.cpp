@@ -129,7 +129,7 @@ void Rod::add_rolling(std::span<const Rolling> rolling) {
 }
 
 void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
-    matrix_.clear(now_.nodes.size(), touching_);
+    matrix_.clear(now_.nodes.size());
     measure(now_.nodes, links_);
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
     add_stretch(keep);

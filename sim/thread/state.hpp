@@ -159,13 +159,15 @@ struct State {
     std::vector<double> tension;       ///< [N] per link.
 
     std::optional<Rod> rod;            ///< Of an elastic thread.
-    std::vector<int> touching;         ///< Scratch of it,
+    std::vector<int> touching;         ///< Scratch of it: nodes of links that press, increasing,
+    std::vector<Eigen::Index> place;   ///< and of each where its three axes begin among theirs,
     std::vector<Press> presses;
     std::vector<Rolling> rolling;
     std::vector<Pair> pairs;
     std::vector<Hold> targets;
     std::vector<Vec3> forces;
-    std::vector<double> apart;         ///< Of the points of all presses, from the other's to the link's, as the step has it [m].
+    std::vector<double> apart;         ///< Of the points of all presses, from the other's to the link's, as the step has it [m],
+    std::vector<double> apart_before, apart_way;  ///< as a sweep began, and where sweeps lead.
     Table press_moves, press_responses, press_across;
     std::vector<Row*> nearest_rows;      ///< Scratch.
     std::vector<int> pushing, wrong;     ///< Scratch: presses, in their order.
@@ -258,6 +260,9 @@ double worst_stretch(const State& state, const std::vector<Vec3>& nodes);
 bool look_around(State& state, double way);
 /// Gaps of all contacts as the nodes stand, the bound of each node from them, and the rows (gaps.cpp).
 void measure_gaps(State& state, double way);
+
+/// Only how far links are from tools; rows are not to be used before measure_gaps().
+void measure_tool_gaps(State& state);
 
 /// Rows to the nearest points as everything stands now; returns the worst overlap, 1 where tools must wait (resolve.cpp).
 double aim(State& state);

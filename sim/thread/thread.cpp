@@ -52,6 +52,8 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     def.elastic->radius = def.radius;
     rod.emplace(*def.elastic, nodes);
     rod->reserve(most);
+    presses.reserve(2 * most);
+    pressed.reserve(2 * most);
 }
 
 void State::size_for_links() {

@@ -24,6 +24,8 @@ struct ThreadDef {
     double axial_stiffness = 15.9;    ///< Young's modulus times cross-section [N]; scales the tension estimate only.
     double shortest_link = 0;         ///< [m]: where the thread bends or touches itself links are halved until they are as short,
                                       ///< to within the root of two, and joined again where it is straight; 0: they stay as they are.
+    int contacts_per_tick = 0;        ///< Elastic only: where the steps of a tick have pressed on so many together, tools wait with what is
+                                      ///< left of their motion, for a shorter longest tick; 0: for nothing but the steps themselves.
     std::optional<RodDef> elastic = {};  ///< Moves as this, of `radius`; else by Follow-The-Leader.
 };
 

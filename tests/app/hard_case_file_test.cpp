@@ -70,6 +70,7 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
         {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"node", 99}}}}}, "/expect/0/node: expected less than"},
         {{{"expect", {{{"is", "tool_moved"}, {"at_most", 1}, {"part", 1}}}}}, "/expect/0/part: expected less than the 1 tool parts"},
         {{{"expect", {{{"is", "knot_differs"}, {"at_most", 0}}}}}, "the key \"knot\" is missing"},
+        {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"model", "elastic"}}}}}, "/expect/0/model: expected that of a variant"},
         {{{"variants", {{{"thread", {{"links", 0}}}}}}}, "/variants/0: makes /thread/links: expected 1 to 5000, found 0"},
         {{{"variants", {1}}}, "/variants: expected a list of up to 20 objects"},
     };
@@ -125,6 +126,28 @@ TEST(HardCaseConditions, FiguresTellWhatHappens) {
     EXPECT_GT(measured({{"is", "unbroken_differs"}}, {{"broken_input", {{{"input", "holds"}, {"is", "nan"}, {"from_s", 0.01}}}}}), 0);
     EXPECT_EQ(measured({{"is", "hash_differs"}}), 0);
     EXPECT_EQ(measured({{"is", "mirrored_apart"}}), 0);
+    const json elastic{{"thread", {{"model", "elastic"}}}, {"broken_input", json::array()}};
+    EXPECT_GT(measured({{"is", "energy_rise"}}, elastic), 0);  // hands pull
+    EXPECT_GT(measured({{"is", "energy_left"}}, elastic), 0);
+    EXPECT_GT(measured({{"is", "ticked_apart"}, {"factor", 4}}, elastic), 0);
+    EXPECT_EQ(measured({{"is", "ticked_apart"}, {"factor", 1}}, elastic), 0);
+}
+
+// A bound for one kind of thread must neither fail the other nor hide it.
+TEST(HardCaseConditions, AreAskedOfTheirModelAlone) {
+    json scene = json::parse(small_scene);
+    scene["variants"] = {{{"thread", {{"model", "elastic"}}}}};
+    scene["expect"] = {{{"is", "tension_max"}, {"at_most", 0}, {"model", "ftl"}},
+                       {{"is", "tension_max"}, {"at_most", 0}, {"model", "elastic"}},
+                       {{"is", "tension_max"}, {"at_most", 0}}};
+    const HardCase hard_case = parsed(scene);
+    const std::vector<Outcome> all = examine(hard_case), first = examine(hard_case, true);
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_NE(all[0].value, all[1].value);
+    EXPECT_EQ(all[2].value, std::max(all[0].value, all[1].value));
+    ASSERT_EQ(first.size(), 2u) << "what no variant that is played is asked";
+    EXPECT_EQ(first[0].value, all[0].value);
+    EXPECT_EQ(first[1].value, all[0].value);
 }
 
 // The worst of all variants counts, and `carrel bench --quick` leaves them out.

@@ -125,4 +125,26 @@ TEST(Drills, GrannyFailsItsGoalAndSaysWhy) {
         }
 }
 
+// The elastic thread stretches by its material. Shipped and sanitized builds must come to the same bits where both play.
+void expect_elastic_is_sound(const nlohmann::json& result) {
+    EXPECT_EQ(result["thread"]["pass_throughs"], 0);
+    EXPECT_LE(result["thread"]["stretch"]["max"].get<double>(), 0.1);
+    EXPECT_LE(result["thread"]["node_step"]["max_over_bound"].get<double>(), 1 + 1e-12);
+}
+
+TEST(Drills, AnElasticSquareIsTiedNamedAndReplayed) {
+    const Played begun = play("assisted-square-knot", "--input " + motion_until("assisted-square-knot", 3).string());
+    EXPECT_EQ(begun.exit, 0);
+    EXPECT_EQ(begun.result["state_hash"], "9b0e207d9c44fd74");
+    expect_elastic_is_sound(begun.result);
+    if (sanitized) return;
+    const Played played = play("assisted-square-knot");
+    EXPECT_EQ(played.exit, 0);
+    EXPECT_EQ(played.result["surgical"], "square");
+    EXPECT_EQ(played.result["throws"], "1=1");
+    EXPECT_EQ(played.result["passed"], true);
+    expect_elastic_is_sound(played.result);
+    expect_replays("assisted-square-knot");
+}
+
 }  // namespace

@@ -102,7 +102,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"model\", \"start_mm\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),

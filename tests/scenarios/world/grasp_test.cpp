@@ -145,4 +145,38 @@ TEST(Grasp, AToolThatHoldsNothingPullsNothing) {
     EXPECT_EQ(world.measures().lag_max_mm[1].value, 0);
 }
 
+// An elastic thread has hardly any lag: what the jaws bear shows in the link outside them. Forceps that let a thread slide too soon drop
+// it while a knot is laid, those that never do pull it until it breaks.
+TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
+    TwoTools scene;
+    scene.def.instruments[1].kind = instruments::Kind::forceps;
+    scene.def.thread.model = "elastic";
+    World world(scene.def, {}, scene.tools);
+    auto& right = scene.tools[1];
+    const auto tick = [&] { world.tick(scene.tools); };
+    for (int i = 1; i <= 100; ++i) {
+        for (auto& tool : scene.tools) tool.jaw = 1 - 0.01 * i;
+        tick();
+    }
+    ASSERT_EQ(world.tools()[1].grasps.size(), 1u);
+    const double grip = world.tools()[1].shape.grip_force, speed = 10e-6;  // [m] a tick
+    const auto tension = [&] { return world.thread_state().tension()[50]; };  // midway
+    const auto held = [&] { return world.tools()[1].grasps.at(0).first; };
+    const int first = held();
+    while (tension() < 0.95 * grip) right.pose.position.x() += speed, tick();
+    for (int i = 0; i < 1000; ++i) tick();
+    EXPECT_FALSE(world.tools()[1].slipping);
+    EXPECT_EQ(held(), first);
+    EXPECT_NEAR(tension(), 0.95 * grip, 0.02 * grip);
+
+    for (int i = 0; i < 100; ++i) right.pose.position.x() += speed, tick();  // what is left to the grip, and until the first link is through
+    for (int i = 0; i < 200; ++i) {
+        right.pose.position.x() += speed;
+        tick();
+        EXPECT_NEAR(tension(), grip, 0.03 * grip) << i;
+    }
+    EXPECT_GT(held(), first) << "it must run through the jaws";
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+}
+
 }  // namespace

@@ -169,6 +169,26 @@ TEST(Elastic, HandsWaitWhenItIsTaut) {
     EXPECT_GT(report.stretch_max, 0.09);
 }
 
+// Two tools pull a thread as hard as any may and ask for more: they wait, but the free end beyond them gives way when it is pushed.
+// A thread that stopped as a whole would be a rod of glass until they let go.
+TEST(Elastic, WhatIsBesideATautStrandGivesWay) {
+    std::vector<Vec3> nodes;
+    for (int i = 0; i <= 80; ++i) nodes.emplace_back(thickness * i, 0, 0);
+    Thread thread(elastic(0.15), nodes);
+    std::vector<Vec3> loads(nodes.size(), Vec3::Zero());
+    TickReport report;
+    double before = 0;
+    for (int t = 1; t <= 300; ++t) {
+        const Hold holds[] = {{0, Vec3(-0.05 * thickness * t, 0, 0)}, {40, nodes[40] + 0.05 * thickness * t * Vec3::UnitX()}};
+        constexpr int owners[] = {0, 1};
+        if (t == 200) before = thread.nodes()[80].y(), loads[80].y() = 5e-5;  // [N]
+        report = thread.tick({holds, owners, {}, nullptr, tick, loads});
+    }
+    EXPECT_LT(report.fraction, 0.05) << "the tools must have come to wait";
+    EXPECT_LT(report.stretch_max, 0.1 * (1 + 1e-9));
+    EXPECT_GT(thread.nodes()[80].y() - before, 0.5 * thickness);  // a clamped end would by F L^3 / 3 B, one thickness; this one turns too
+}
+
 // A thread that keeps its shape is at rest in it, one that does not springs straight.
 TEST(Elastic, KeepsTheShapeItWasMadeIn) {
     for (const bool keeps : {true, false}) {
