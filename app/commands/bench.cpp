@@ -7,6 +7,7 @@
 #include "app/bench/speed_vs_error.hpp"
 #include "app/bench/stability.hpp"
 #include "app/bench/ties.hpp"
+#include "app/bench/tissue.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
@@ -33,6 +34,7 @@ constexpr Known suites[] = {
     {"speed", bench::speed_suite},
     {"speed-vs-error", bench::speed_vs_error_suite},
     {"accuracy", bench::accuracy_suite},
+    {"tissue", bench::tissue_suite},
     {"stability", stability},
     {"elastic-ties", bench::elastic_ties_suite},
     {"knots", naming},

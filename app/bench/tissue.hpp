@@ -1,0 +1,10 @@
+#pragma once
+#include "app/bench/row.hpp"
+
+namespace app::bench {
+
+/// Vessels that give way: their material and tubes against closed forms (D17 to D19), a cut's edge against a finer vessel, and what steps of two vessels
+/// cost and err by, over how they are solved. `quick` leaves out the finest.
+Suite tissue_suite(bool quick, const Progress& progress);
+
+}  // namespace app::bench

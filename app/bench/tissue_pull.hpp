@@ -1,0 +1,43 @@
+#pragma once
+#include "tissue/tissue.hpp"
+#include "tissue/tube.hpp"
+
+// A vessel whose far end is held and whose wall is pulled at a bite next to the cut, within about a millimetre of it.
+namespace app::bench {
+
+struct VesselPull {
+    explicit VesselPull(const tissue::TubeDef& def, bool locks = false);
+
+    /// This force [N], shared as a thread's would be by a bite that is two millimetres wide and long and strongest in its middle.
+    std::vector<tissue::PointForce> forces(const tissue::Vec3& force) const;
+    /// What a thread does in a second: pulls along the axis, stays, turns aside, lets go; at most 1.
+    static tissue::Vec3 pull_at(double seconds);
+
+    tissue::Mesh mesh;
+    std::vector<tissue::Hold> holds;
+    int edge;                          ///< The node of the cut's outer edge next to the bite.
+    std::vector<tissue::MaterialPoint> points;
+    std::vector<double> shares;
+};
+
+/// The vessel of a drill, `finer` times as fine; 0.5: half as fine.
+tissue::TubeDef vessel(double finer = 1);
+
+/// How far the edge goes in the end under this pull along the axis [m].
+tissue::Vec3 edge_moved(const VesselPull& pull, double force);
+
+/// A second of the pull, step by step.
+struct Played {
+    std::vector<tissue::Vec3> edge;    ///< After each step [m].
+    std::vector<double> us;            ///< Processor time of each.
+    double iterations = 0;             ///< Mean.
+};
+Played play(const VesselPull& pull, const tissue::Solver& solver, double force, double seconds);
+
+/// How far one is from another at most, and its root mean square, over how far that one goes.
+struct Apart {
+    double most, mean;
+};
+Apart apart(const Played& a, const Played& b);
+
+}  // namespace app::bench

@@ -1,0 +1,234 @@
+#include "tissue/tissue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tissue {
+
+namespace {
+
+std::vector<std::array<int, 2>> couplings(std::span<const Cells> all) {
+    std::vector<std::array<int, 2>> found;
+    for (const Cells& cells : all)
+        for (std::size_t k = 0; k < cells.used; ++k)
+            for (std::size_t b = 0; b < cells.count; ++b)
+                for (std::size_t a = 0; a < b; ++a) found.push_back({cells.nodes[a][k], cells.nodes[b][k]});
+    return found;
+}
+
+double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+}
+
+}  // namespace
+
+Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
+    : rest_(std::move(mesh)), material_(material), solver_(solver), laplacian_(rest_), cells_(cells_of(rest_)), mass_(rest_.nodes.size()), x_(rest_.nodes),
+      matrix_(static_cast<int>(x_.size()), couplings(cells_)) {
+    for (const Tetrahedron& tet : rest_.tetrahedra)
+        for (const int i : tet) mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);
+    const std::size_t n = x_.size();
+    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_})
+        nodes->assign(n, Vec3::Zero());
+    free_.assign(n, Vec3::Ones());
+    factored_x_ = x_, factored_free_ = free_;
+    volumes_.resize(cells_.size()), factored_volumes_ = used_volumes_ = volumes_;
+    strain_.resize(n);
+    swelling_.assign(cells_.size(), Lane()), factored_pressure_ = swelling_;
+    along_.resize(cells_.size());
+    cell_places_.resize(cells_.size()), own_places_.resize(cells_.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+        for (std::size_t k = 0; k < cells_[c].used; ++k)
+            for (std::size_t b = 0; b < cells_[c].count; ++b) {
+                const auto& nodes = cells_[c].nodes;
+                own_places_[c][k][b] = matrix_.place(nodes[b][k], nodes[b][k]);
+                for (std::size_t a = 0; a < b; ++a) cell_places_[c][k][pair(a, b)] = matrix_.place(nodes[a][k], nodes[b][k]);
+            }
+    for (int i = 0; i < static_cast<int>(n); ++i) {
+        auto& places = row_places_.emplace_back();
+        for (const int j : laplacian_.neighbours(i)) places.push_back(matrix_.place(i, j));
+    }
+}
+
+void Tissue::place(std::span<const Vec3> nodes) {
+    x_.assign(nodes.begin(), nodes.end());
+    v_.assign(x_.size(), Vec3::Zero());
+    for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] = volumes(cells_[c], x_).value / cells_[c].rest_volume - Lane(1);
+    have_factors_ = factoring_ = false;
+    last_product_ = 0;
+}
+
+Vec3 Tissue::position(const MaterialPoint& point) const {
+    const Tetrahedron& tet = rest_.tetrahedra[static_cast<std::size_t>(point.tetrahedron)];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) sum += point.weights[k] * x_[static_cast<std::size_t>(tet[k])];
+    return sum;
+}
+
+// Of zero strain it is zero, and F there is 1: |F|^2 = 3.
+double Tissue::energy() const {
+    std::vector<Vec3> lx;
+    laplacian_.multiply(x_, lx);
+    double sum = 0.5 * material_.shear() * dot(x_, lx);
+    for (const Cells& cells : cells_) {
+        const Lane swelling = volumes(cells, x_).value / cells.rest_volume - Lane(1);
+        Lane energies = cells.rest_volume * (0.5 * material_.bulk() * swelling * swelling - material_.shear() * (swelling + Lane(1.5)));
+        energies.clear_from(cells.used);
+        sum += energies.sum();
+    }
+    return sum;
+}
+
+void Tissue::apply_holds(std::span<const Hold> holds) {
+    free_.assign(x_.size(), Vec3::Ones());
+    for (const Hold& hold : holds)
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (!hold.along[static_cast<std::size_t>(k)]) continue;
+            const auto i = static_cast<std::size_t>(hold.node);
+            free_[i][k] = 0;
+            x_[i][k] = hold.target[k];
+        }
+}
+
+void Tissue::add_pressure(double pressure) {
+    if (pressure == 0) return;
+    for (const Face& face : rest_.faces) {
+        if (face.side != Side::inner) continue;
+        const auto at = [&](std::size_t k) -> const Vec3& { return x_[static_cast<std::size_t>(face.nodes[k])]; };
+        const Vec3 share = -pressure / 6 * (at(1) - at(0)).cross(at(2) - at(0));
+        for (const int i : face.nodes) outside_[static_cast<std::size_t>(i)] += share;
+    }
+}
+
+// Minus the derivative of the incremental energy by each node.
+void Tissue::find_residual() {
+    const double mu = material_.shear(), viscous = material_.viscosity() * rate_;
+    for (std::size_t i = 0; i < x_.size(); ++i)
+        residual_[i] = outside_[i] - mu * lx_[i] - viscous * (lx_[i] - lx_before_[i]) - drag_ * mass_[i] * (x_[i] - before_[i]);
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const Cells& cells = cells_[c];
+        volumes_[c] = volumes(cells, x_);
+        swelling_[c] = volumes_[c].value / cells.rest_volume - Lane(1);
+        const Lane p = pressure(c);
+        for (std::size_t n = 0; n < cells.count; ++n) {
+            const Lanes force = p * volumes_[c].gradient[n];
+            for (std::size_t k = 0; k < cells.used; ++k) residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(force.x[k], force.y[k], force.z[k]);
+        }
+    }
+    for (std::size_t i = 0; i < x_.size(); ++i) push_[i] = residual_[i].cwiseProduct(free_[i]);
+}
+
+// Mean gradient of cells, and of the cells about a node, with respect to where nodes were when the stiffness was found: as that is, column by column.
+void Tissue::find_strain() {
+    strain_.assign(x_.size(), {});
+    shared_.assign(x_.size(), 0);
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const Cells& cells = cells_[c];
+        const Volumes& then = used_volumes_[c];
+        Lanes x, y, z;
+        for (std::size_t n = 0; n < cells.count; ++n) {
+            const Lanes at = gathered(cells, n, x_);
+            x += then.gradient[n].x * at, y += then.gradient[n].y * at, z += then.gradient[n].z * at;
+        }
+        for (std::size_t k = 0; k < cells.used; ++k) {
+            const Lane own_x(x.x[k], x.y[k], x.z[k], 0), own_y(y.x[k], y.y[k], y.z[k], 0), own_z(z.x[k], z.y[k], z.z[k], 0);
+            for (std::size_t n = 0; n < cells.count; ++n) {
+                const auto i = static_cast<std::size_t>(cells.nodes[n][k]);
+                strain_[i][0] += own_x, strain_[i][1] += own_y, strain_[i][2] += own_z;
+                shared_[i] += then.value[k];
+            }
+        }
+    }
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const bool known = free_[i].minCoeff() > 0 && shared_[i] > 0;
+        const double share = known ? 1 / shared_[i] : 0, one = known ? 0 : 1;
+        strain_[i] = {share * strain_[i][0] + Lane(one, 0, 0, 0), share * strain_[i][1] + Lane(0, one, 0, 0), share * strain_[i][2] + Lane(0, 0, one, 0)};
+    }
+}
+
+// Nonlinear conjugate gradients (Polak and Ribiere) with the factored stiffness for a metric.
+void Tissue::find_way(bool afresh) {
+    find_strain();
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const Lane push(push_[i].x(), push_[i].y(), push_[i].z(), 0);
+        solved_[i] = Vec3((strain_[i][0] * push).sum(), (strain_[i][1] * push).sum(), (strain_[i][2] * push).sum());
+    }
+    matrix_.solve(solved_);
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+        const Lane by = strain_[i][0] * solved_[i].x() + strain_[i][1] * solved_[i].y() + strain_[i][2] * solved_[i].z();
+        solved_[i] = Vec3(by[0], by[1], by[2]).cwiseProduct(free_[i]);
+    }
+    const double product = dot(push_, solved_), kept = afresh || last_product_ <= 0 ? 0 : std::max(0.0, (product - dot(last_push_, solved_)) / last_product_);
+    for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + kept * way_[i].cwiseProduct(free_[i]);
+    if (!(dot(push_, way_) > 0)) way_ = solved_;
+    last_push_ = push_;
+    last_product_ = product;
+}
+
+Descent Tissue::energy_along_way() {
+    laplacian_.multiply(way_, lway_);
+    double drag = 0;
+    for (std::size_t i = 0; i < x_.size(); ++i) drag += drag_ * mass_[i] * way_[i].squaredNorm();
+    std::array<Lane, 5> more;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const Cells& cells = cells_[c];
+        const auto [second, third] = bulge(cells, x_, way_);
+        Lane first;
+        for (std::size_t n = 0; n < cells.count; ++n) first += dot(volumes_[c].gradient[n], gathered(cells, n, way_));
+        along_[c] = {first / cells.rest_volume, second / cells.rest_volume, third / cells.rest_volume};
+        Lane p = pressure(c), k = Lane(material_.bulk()) / cells.rest_volume;
+        p.clear_from(cells.used), k.clear_from(cells.used);
+        more[0] += p * second + 0.5 * k * first * first;
+        more[1] += p * third + k * first * second;
+        more[2] += k * (0.5 * second * second + first * third);
+        more[3] += k * second * third;
+        more[4] += 0.5 * k * third * third;
+    }
+    Descent energy{-dot(push_, way_), 0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag)};
+    for (std::size_t k = 0; k < more.size(); ++k) energy[k + 1] += more[k].sum();
+    return energy;
+}
+
+void Tissue::go_along_way(double far) {
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += far * way_[i], lx_[i] += far * lway_[i];
+    for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] += far * (along_[c][0] + far * (along_[c][1] + far * along_[c][2]));
+}
+
+Report Tissue::step(const Input& input, double seconds) {
+    Report report;
+    rate_ = 1 / seconds;
+    before_ = x_;
+    laplacian_.multiply(x_, lx_before_);
+    drag_ = rate_ / material_.slowing;
+    apply_holds(input.holds);
+    outside_.assign(x_.size(), Vec3::Zero());
+    for (const auto& [at, force] : input.forces)
+        for (std::size_t k = 0; k < 4; ++k)
+            outside_[static_cast<std::size_t>(rest_.tetrahedra[static_cast<std::size_t>(at.tetrahedron)][k])] += at.weights[k] * force;
+    add_pressure(input.pressure);
+    laplacian_.multiply(x_, lx_);
+    const bool newton = solver_.steps_per_factor == 0;
+    if (!have_factors_) factor_at_once();
+    for (int i = 0; i < solver_.iterations; ++i) {
+        find_residual();
+        report.residual = 0;
+        for (const Vec3& force : push_) report.residual = std::max(report.residual, force.norm());
+        if (report.residual <= solver_.tolerance) break;
+        if (newton) factor_at_once();
+        find_way(newton);
+        const Descent energy = energy_along_way();
+        const double far = lowest(energy);
+        go_along_way(far);
+        double power = 1;
+        report.energy_change = 0;
+        for (const double coefficient : energy) report.energy_change += coefficient * (power *= far);
+        ++report.iterations;
+    }
+    for (std::size_t i = 0; i < x_.size(); ++i) v_[i] = rate_ > 0 ? Vec3(rate_ * (x_[i] - before_[i])) : Vec3::Zero();
+    if (!newton) go_on_factoring((matrix_.work() + assembly_work()) / solver_.steps_per_factor);
+    return report;
+}
+
+}  // namespace tissue
