@@ -66,11 +66,12 @@ sim::thread::TickReport World::move_thread() {
     capsules_.clear();
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
-        const instruments::Pose &next = tool.now.pose, &wanted = tool.stopped ? next : tool.asked.pose;
+        const instruments::Pose &start = tool.before.pose, &next = tool.now.pose, &wanted = tool.stopped ? next : tool.asked.pose;
         for (const Grasp& grasp : tool.grasps)
             for (int k = 0; k < grasp.count; ++k) {
                 const Vec3& anchor = grasp.anchor[static_cast<std::size_t>(k)];
-                holds_.push_back({grasp.first + k, next.position + next.rotation * anchor, wanted.position + wanted.rotation * anchor});
+                const auto led_by = [&](const instruments::Pose& pose) -> Vec3 { return pose.position + pose.rotation * anchor; };
+                holds_.push_back({grasp.first + k, led_by(next), led_by(wanted), led_by(start)});
                 hold_owners_.push_back(static_cast<int>(i));
             }
         const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw);
