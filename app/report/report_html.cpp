@@ -111,7 +111,7 @@ std::string thread(const Result& result) {
            figure("Stretch, largest", percent(result.stretch_max),
                   "Worst link at any moment, against its rest length.") +
            figure("Stretch, at the end", percent(result.stretch_settled), "Worst link after the last tick.") +
-           figure("Separation, least", number(result.separation_min, 4) + " diameters",
+           figure("Separation, least", result.separation_min < 1e300 ? number(result.separation_min, 4) + " diameters" : "never near",
                   "Between links that are not neighbours; 1 is touching.") +
            figure("Node step, largest", number(result.node_step_max_over_bound, 4) + " of its bound",
                   "No node may move further in a substep than 1.") +

@@ -33,7 +33,7 @@ json events(const Result& result) {
 json thread(const Result& result) {
     return {{"links", result.links},
             {"stretch", {{"max", result.stretch_max}, {"settled", result.stretch_settled}}},
-            {"separation", {{"min", result.separation_min}}},
+            {"separation", {{"min", result.separation_min < 1e300 ? json(result.separation_min) : json(nullptr)}}},
             {"node_step", {{"max_over_bound", result.node_step_max_over_bound}}},
             {"pass_throughs", result.pass_throughs},
             {"contacts", {{"max", result.contacts_max}}}};

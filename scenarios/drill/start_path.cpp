@@ -55,9 +55,18 @@ std::optional<StartProblem> clear_of_tubes(const world::WorldDef& world) {
     return {};
 }
 
+// Pieces as long as a bend needs that leave a corner side by side: what is as far from it on one is within a diameter on the other.
+bool folds_back(const world::ThreadDef& thread, std::size_t corner) {
+    const Vec3 back = thread.start[corner - 1] - thread.start[corner], on = thread.start[corner + 1] - thread.start[corner];
+    const double bend = 3 * thread.diameter;
+    return std::min(back.norm(), on.norm()) >= bend && bend * (back.normalized() - on.normalized()).norm() < thread.diameter;
+}
+
 std::optional<StartProblem> clear_of_itself(const world::ThreadDef& thread) {
     const auto& path = thread.start;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        if (i > 0 && folds_back(thread, i))
+            return StartProblem{static_cast<int>(i), "the thread folds back onto itself here, expected a bend with room for it"};
         double between = 0;  // along the thread, from the end of piece i to the start of piece j
         for (std::size_t j = i + 1; j + 1 < path.size(); between += (path[j + 1] - path[j]).norm(), ++j) {
             // Pieces this near along the thread are one bend; a bend that touches itself is at least pi diameters long.

@@ -161,6 +161,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:7:53: error: /thread/start_mm/3: from here to the next corner the thread touches the piece from "
          "corner 0, expected them a "
          "diameter apart"},
+        {with("\"friction\": 0.2", "\"start_mm\": [[0, 0, 9], [0, 100, 9], [1, 20, 9]]"),
+         "a.json:7:29: error: /thread/start_mm/1: the thread folds back onto itself here, expected a bend with room for it"},
         {with("\"carrel_drill\": 1", "\"carrel_drill\": 2"), "a.json:2:19: error: /carrel_drill: expected 1, found 2"},
         {with("  \"time_limit_s\": 120\n", "  \"time_limit_s\": 120,\n"),
          "a.json:20:1: error: not valid JSON: unexpected '}'; expected string literal"},
