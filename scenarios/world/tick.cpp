@@ -71,7 +71,7 @@ sim::thread::TickReport World::move_thread() {
             for (int k = 0; k < grasp.count; ++k) {
                 const Vec3& anchor = grasp.anchor[static_cast<std::size_t>(k)];
                 const auto led_by = [&](const instruments::Pose& pose) -> Vec3 { return pose.position + pose.rotation * anchor; };
-                holds_.push_back({grasp.first + k, led_by(next), led_by(wanted), led_by(start)});
+                holds_.push_back({grasp.first + k, led_by(next), led_by(wanted), true, led_by(start)});
                 hold_owners_.push_back(static_cast<int>(i));
             }
         const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw);

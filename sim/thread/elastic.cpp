@@ -106,8 +106,8 @@ static void answer(State& state, double left, double tools, const Motion& motion
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : state.targets) {
-        const Vec3& from = hold.start ? *hold.start : state.nodes[at(hold.node)];
-        hold.target = from + (hold.start ? 1 - left * (1 - tools) : tools) * (hold.target - from);
+        const Vec3& from = hold.slides ? hold.start : state.nodes[at(hold.node)];
+        hold.target = from + (hold.slides ? 1 - left * (1 - tools) : tools) * (hold.target - from);
     }
     rod.find_free_step(state.targets, state.pairs, state.rolling);
     report.sweeps += solve_presses(state);

@@ -34,7 +34,8 @@ struct Hold {
     int node;
     Vec3 target;  ///< [m]
     Vec3 wanted = target;  ///< Where its tool would have it in the end [m]; what it lacks of that is tension.
-    std::optional<Vec3> start = {};  ///< Where its tool has it as the tick begins [m]; none: where it is. Elastic: it slides there even if tools wait.
+    bool slides = false;           ///< Elastic: to `start`, where its tool has it as the tick begins [m], even if tools wait.
+    Vec3 start = Vec3::Zero();
 };
 
 /// A tool part during one tick: end points move linearly, the radius is that of `from`.
