@@ -49,6 +49,24 @@ TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::mo
     }
 }
 
+void TriangleTree::move(std::span<const Triangle> triangles) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles_[i] = triangles[i];
+        boxes_[i] = box_of(t);
+        normals_[i] = (t.b - t.a).cross(t.c - t.a).normalized();
+    }
+    for (std::size_t at = nodes_.size(); at-- > 0;) {  // children come after their node
+        Node& node = nodes_[at];
+        node.box = {};
+        if (node.count == 0) {
+            for (int child : {node.first, node.first + 1}) node.box.include(nodes_[static_cast<std::size_t>(child)].box);
+        } else {
+            for (int i = node.first; i < node.first + node.count; ++i)
+                node.box.include(boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])]);
+        }
+    }
+}
+
 void TriangleTree::near(const Box& box, std::vector<int>& found) const {
     // Depth is at most log2 of 2^31 triangles, and each level leaves one node waiting.
     std::array<int, 34> waiting;

@@ -1,16 +1,21 @@
 #pragma once
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "sim/geometry/shapes.hpp"
 
 namespace sim::geometry {
 
-/// Static triangles in a tree of boxes, for "which are near here".
+/// Triangles in a tree of boxes, for "which are near here".
 class TriangleTree {
   public:
     /// Any number of triangles, finite corners [m].
     explicit TriangleTree(std::vector<Triangle> triangles);
+
+    /// The same triangles somewhere else; one each. O(n), allocates nothing; the tree stays as it was split, so it finds them slower
+    /// the less they are where they were.
+    void move(std::span<const Triangle> triangles);
 
     /// Appends to `found` the indices of triangles whose box overlaps `box`, in ascending order of tree leaves (the same
     /// every time). Allocates only if `found` must grow.

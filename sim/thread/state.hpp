@@ -157,6 +157,7 @@ struct State {
     int wasted = 0;                    ///< and how much of it on answers that were refused.
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
+    std::vector<SurfaceForce> surface_forces;
 
     std::optional<Rod> rod;            ///< Of an elastic thread.
     std::vector<int> touching;         ///< Scratch of it: nodes of links that press, increasing,
@@ -305,6 +306,9 @@ int audit(const State& state);
 /// Halves links that bend or touch and joins straight ones, by ThreadDef::shortest_link, each time the thread has moved by its
 /// own radius; whether any changed (links.cpp).
 bool fit_links(State& state, std::span<int> held);
+
+/// What the thread does to the surface as it lies now, after the tick's tensions are known (surface.cpp).
+void find_surface_forces(State& state);
 
 /// Tension estimate of every link from how far the held nodes lag behind their targets (tension.cpp).
 void estimate_tension(State& state);

@@ -40,6 +40,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     for (auto* boxes : {&audit_boxes, &audit_links}) boxes->reserve(most);
     kept.reserve(most + 1);
     // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
+    surface_forces.reserve(most);
     contacts.reserve(24 * most);
     rows.reserve(8 * most);
     pushed_rows.reserve(rows.capacity());
@@ -93,6 +94,18 @@ const ThreadDef& Thread::def() const { return impl_->state.def; }
 std::span<const Vec3> Thread::nodes() const { return impl_->state.nodes; }
 std::span<const double> Thread::rest_lengths() const { return impl_->state.rest; }
 std::span<const double> Thread::tension() const { return impl_->state.tension; }
+std::span<const SurfaceForce> Thread::surface_forces() const { return impl_->state.surface_forces; }
+
+void Thread::surface_room(std::span<double> rooms) const {
+    const State& state = impl_->state;
+    std::fill(rooms.begin(), rooms.end(), std::max(0.0, state.reach - 2 * state.moved));
+    for (const Contact& c : state.contacts) {
+        if (c.against != Against::surface) continue;
+        double& room = rooms[static_cast<std::size_t>(c.other)];
+        room = std::min(room, std::max(0.0, c.measured - 2 * (state.moved - c.measured_at)));
+    }
+}
+
 double Thread::progress(int owner) const { return impl_->state.progress[static_cast<std::size_t>(owner + 1)]; }
 
 // FNV-1a over the words of everything a tick carries to the next.

@@ -49,9 +49,11 @@ struct TickInput {
     std::span<const Hold> holds;
     std::span<const int> hold_owners;             ///< One per hold: the owner of capsules that hold it, or -1.
     std::span<const MovingCapsule> capsules;
-    const geometry::TriangleTree* surface = nullptr;  ///< Static triangles, or none.
+    const geometry::TriangleTree* surface = nullptr;  ///< Triangles, or none.
     double seconds = 1e-3;                            ///< How long it takes; elastic only, as are
     std::span<const Vec3> loads = {};                 ///< forces on nodes [N], one each or none.
+    double surface_moved = 0;                         ///< How far the surface has gone since the last tick at most [m]; none of it through
+                                                      ///< the thread: within 0.45 of surface_room().
 };
 
 /// What a tick did and what it gave up.
@@ -64,6 +66,14 @@ struct TickReport {
     int pass_throughs = 0;          ///< Found by the audit, in any substep, through thread, capsules or surface.
     int sweeps = 0;                 ///< Over contacts until their pushes stood still; elastic only.
     bool not_finite = false;        ///< Input was not finite; the tick was not taken.
+};
+
+/// What the thread does to one of the surface's triangles.
+struct SurfaceForce {
+    int triangle;
+    Vec3 at;        ///< On it [m].
+    Vec3 force;     ///< [N]
+    int link;       ///< That presses.
 };
 
 /// The thread as it is now.
@@ -87,6 +97,11 @@ class Thread {
     std::span<const Vec3> nodes() const;             ///< n + 1 positions [m].
     std::span<const double> rest_lengths() const;    ///< n [m]; change only in fit_links.
     std::span<const double> tension() const;         ///< n, estimate [N]: what a thread of this stiffness would carry.
+    /// What it did to the surface as the last tick ended: pushes and friction of an elastic thread; by Follow-The-Leader, which has no
+    /// forces, what the estimated tensions of the links that meet there pull.
+    std::span<const SurfaceForce> surface_forces() const;
+    /// How far each triangle of the last tick's surface is at least from the thread's middle line [m]; never told more than it looked.
+    void surface_room(std::span<double> rooms) const;
     double progress(int owner) const;                ///< Share of its motion that a tool made in the last tick.
     std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.
 

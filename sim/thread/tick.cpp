@@ -45,6 +45,7 @@ void begin(State& state, const TickInput& input) {
     state.capsules_before = state.capsules;
     place_capsules(state);
     if (state.capsules.size() == state.capsules_before.size()) state.moved += largest_capsule_move(state);
+    state.moved += input.surface_moved;
 }
 
 // Which tools move: one group, or all.
@@ -138,7 +139,9 @@ Answer next_answer(const Pace& pace) { return pace.refused_in_a_row % 2 == 0 ? A
 // Nothing is asked for, and all is as good as passes make it.
 bool is_at_rest(const State& state, const Motion& motion) {
     if (motion.most() > 0 || worst_stretch(state, state.nodes) > stretch_tolerance) return false;
-    return std::all_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return over_goal(state, row, row.distance) < 1; });
+    // A wall that has come into the thread leaves it so little room that no single step is worth one: what counts is how deep it lies.
+    const auto is_deep = [&](const Row& row) { return row.against == Against::surface && over_limit(state, row) > 0.5; };
+    return std::all_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return over_goal(state, row, row.distance) < 1 && !is_deep(row); });
 }
 
 // Steps so short are worked at for several ticks.
@@ -274,6 +277,10 @@ TickReport tick(State& state, const TickInput& input) {
         return report;
     }
     begin(state, input);
+    if (input.surface_moved > 0) {
+        wake(state);
+        state.settled = false;
+    }
     if (state.rod) {
         collect_asked(state, {0, state.progress.size(), 0});
         elastic_tick(state, longest_asked(state), report);
@@ -281,6 +288,7 @@ TickReport tick(State& state, const TickInput& input) {
         follow_tools(state, report);
         estimate_tension(state);
     }
+    find_surface_forces(state);
     report.fraction = *std::min_element(state.progress.begin(), state.progress.end());
     report.stretch_max = worst_stretch(state, state.nodes);
     for (const Row& row : state.rows)

@@ -1,0 +1,53 @@
+#include "scenarios/world/moving_wall.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace scenarios::world {
+
+using sim::geometry::Vec3;
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+static std::array<const Vec3*, 3> corners_of(const Triangle& t) { return {&t.a, &t.b, &t.c}; }
+
+MovingWall::MovingWall(std::vector<Triangle> triangles, double radius) : radius_(radius), tree_(triangles) {
+    std::map<std::array<double, 3>, int> known;
+    for (const Triangle& t : triangles) {
+        auto& mine = corners_.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& p = *corners_of(t)[k];
+            const auto [found, is_new] = known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(places_.size()));
+            if (is_new) places_.push_back(p);
+            mine[k] = found->second;
+        }
+    }
+    targets_ = places_;
+    room_.resize(places_.size());
+    moved_ = std::move(triangles);
+}
+
+double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms) {
+    // A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools may press it.
+    constexpr double share = 0.45, left_at_least = 0.6;
+    std::fill(room_.begin(), room_.end(), 1e300);
+    for (std::size_t t = 0; t < targets.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t corner = at(corners_[t][k]);
+            targets_[corner] = *corners_of(targets[t])[k];
+            room_[corner] = std::min(room_[corner], rooms[t]);
+        }
+    double most = 0;
+    for (std::size_t c = 0; c < places_.size(); ++c) {
+        const Vec3 way = targets_[c] - places_[c];
+        const double far = way.norm(), may = share * std::max(0.0, room_[c] - left_at_least * radius_);
+        places_[c] = far > may ? Vec3(places_[c] + may / far * way) : targets_[c];
+        most = std::max(most, std::min(far, may));
+    }
+    if (most == 0) return 0;
+    for (std::size_t t = 0; t < moved_.size(); ++t) moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
+    tree_.move(moved_);
+    return most;
+}
+
+}  // namespace scenarios::world

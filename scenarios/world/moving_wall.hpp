@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/geometry/triangle_tree.hpp"
+
+namespace scenarios::world {
+
+using sim::geometry::Triangle;
+
+/// All walls of a scene as the thread meets them. Those that give way come after their tissue as fast as the thread makes room, so that no
+/// wall ever passes through it: a corner goes no farther in a tick than 0.45 of what its triangles are off the thread's middle line, less
+/// what the thread is left at least.
+class MovingWall {
+  public:
+    /// `radius`: of the thread [m].
+    MovingWall(std::vector<Triangle> triangles, double radius);
+
+    const sim::geometry::TriangleTree& tree() const { return tree_; }
+    int size() const { return tree_.size(); }
+
+    /// Towards `targets`, one each. `rooms`: how far each is off the thread's middle line [m], which is left as it is. Returns the farthest
+    /// that any corner went [m]. Allocates nothing.
+    double follow(std::span<const Triangle> targets, std::span<const double> rooms);
+
+  private:
+    double radius_;
+    sim::geometry::TriangleTree tree_;
+    std::vector<std::array<int, 3>> corners_;       // of each triangle; those that began in one place are one
+    std::vector<sim::geometry::Vec3> places_, targets_;
+    std::vector<double> room_;                      // of each corner [m]
+    std::vector<Triangle> moved_;
+};
+
+}  // namespace scenarios::world

@@ -1,0 +1,36 @@
+#include "sim/geometry/closest_points.hpp"
+#include "sim/thread/press.hpp"
+
+namespace sim::thread {
+
+static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+static void find_pressed(State& state) {
+    for (const Row& row : state.pressed)
+        if (row.against == Against::surface)
+            state.surface_forces.push_back({row.other, row.fixed, -(row.normal_push * row.normal + row.tangent_push), row.link});
+}
+
+// Nodes that turn a taut strand by resting on a wall: both links pull there.
+static void find_turned(State& state) {
+    for (int i = 1; i < state.links(); ++i) {
+        const double before = state.tension[at(i - 1)], after = state.tension[at(i)];
+        if (before == 0 && after == 0) continue;
+        const Vec3& node = state.nodes[at(i)];
+        const auto towards = [&](int other) { return Vec3((state.nodes[at(other)] - node).normalized()); };
+        const Row* nearest = nullptr;
+        for (const Row& row : state.rows)
+            if (row.against == Against::surface && (row.link == i || row.link == i - 1) && (!nearest || row.distance < nearest->distance)) nearest = &row;
+        if (nearest && nearest->distance < 1.5 * nearest->thickness)
+            state.surface_forces.push_back({nearest->other, nearest->fixed, before * towards(i - 1) + after * towards(i + 1), i});
+    }
+}
+
+void find_surface_forces(State& state) {
+    state.surface_forces.clear();
+    if (!state.input.surface) return;
+    if (state.rod) find_pressed(state);
+    else find_turned(state);
+}
+
+}  // namespace sim::thread

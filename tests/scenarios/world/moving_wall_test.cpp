@@ -1,0 +1,99 @@
+// A wall that moves takes the thread along, or stops at it; it never passes through.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scenarios/world/moving_wall.hpp"
+#include "sim/geometry/closest_points.hpp"
+#include "sim/thread/thread.hpp"
+
+namespace {
+
+using scenarios::world::MovingWall;
+using scenarios::world::Triangle;
+using sim::geometry::Vec3;
+using sim::thread::Hold;
+using sim::thread::Thread;
+
+constexpr double mm = 1e-3, tick = 1e-3;
+
+// A plate of 8 x 8 mm in squares of 1 mm at height z [m], domed so that no two triangles are alike.
+std::vector<Triangle> plate(double z) {
+    const auto corner = [&](int i, int j) { return Vec3((i - 4) * mm, (j - 4) * mm, z - 0.01 * mm * (i * i + j * j % 5)); };
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j) {
+            triangles.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)});
+            triangles.push_back({corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)});
+        }
+    return triangles;
+}
+
+struct Scene {
+    explicit Scene(const char* model) : thread(make(model)), wall(plate(-0.5 * mm), thread.def().radius), rooms(static_cast<std::size_t>(wall.size())) {}
+
+    static Thread make(const char* model) {
+        sim::thread::ThreadDef def;
+        if (std::string(model) == "elastic") def.elastic = sim::thread::RodDef{.keeps_shape = true};
+        std::vector<Vec3> nodes;
+        for (int i = 0; i <= 60; ++i) nodes.push_back({(i - 30) * 0.1 * mm, 0.05 * mm, 0});
+        return {def, nodes};
+    }
+
+    // The wall is asked up to height z and the thread answers; its ends are held where they are, or free.
+    void step(double z, bool held) {
+        const std::vector<Hold> holds = held ? std::vector<Hold>{{0, thread.nodes().front()}, {60, thread.nodes().back()}} : std::vector<Hold>{};
+        const std::vector<int> owners(holds.size(), -1);
+        const auto report = thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .surface = &wall.tree(), .seconds = tick, .surface_moved = moved});
+        passes += report.pass_throughs;
+        thread.surface_room(rooms);
+        moved = wall.follow(plate(z), rooms);
+    }
+    // Of the thread's middle line over the wall [radii].
+    double height() const {
+        double least = 1e300;
+        for (std::size_t i = 0; i + 1 < thread.nodes().size(); ++i)
+            for (const Triangle& t : wall.tree().triangles())
+                least = std::min(least, closest_points(thread.nodes()[i], thread.nodes()[i + 1], t).distance_squared);
+        return std::sqrt(least) / thread.def().radius;
+    }
+    double top() const { return wall.tree()[(4 * 8 + 4) * 2].a.z(); }  // below the middle of the thread
+
+    Thread thread;
+    MovingWall wall;
+    std::vector<double> rooms;
+    double moved = 0;
+    int passes = 0;
+};
+
+class MovingWallTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(MovingWallTest, TakesAFreeThreadAlong) {
+    Scene scene(GetParam());
+    for (int t = 0; t < 400; ++t) {
+        scene.step(-0.5 * mm + 5 * mm * tick * t, false);  // 5 mm/s
+        ASSERT_GE(scene.height(), 0.59) << "tick " << t;  // what the wall leaves it
+    }
+    for (int t = 0; t < 300; ++t) scene.step(1.5 * mm, false);
+    EXPECT_DOUBLE_EQ(scene.top(), plate(1.5 * mm)[(4 * 8 + 4) * 2].a.z());
+    EXPECT_GE(scene.height(), 0.8);  // passes of `ftl` leave a tenth of the thickness in walls
+    for (const Vec3& node : scene.thread.nodes()) EXPECT_GT(node.z(), 0.5 * mm);
+    EXPECT_EQ(scene.passes, 0);
+}
+
+TEST_P(MovingWallTest, StopsAtATautOne) {
+    Scene scene(GetParam());
+    for (int t = 0; t < 400; ++t) {
+        scene.step(-0.5 * mm + 100 * mm * tick * t, true);
+        ASSERT_GE(scene.height(), 0.59) << "tick " << t;
+    }
+    EXPECT_LT(scene.top(), 1.5 * mm);
+    EXPECT_EQ(scene.passes, 0);
+    double up = 0;  // the wall pushes, so the thread pushes back
+    for (const auto& force : scene.thread.surface_forces()) up += force.force.z();
+    EXPECT_LE(up, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, MovingWallTest, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
