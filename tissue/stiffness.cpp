@@ -29,15 +29,29 @@ void Tissue::begin_factor() {
     matrix_.clear();
     factored_x_ = x_, factored_free_ = free_, factored_rate_ = rate_, factored_drag_ = drag_;
     for (std::size_t c = 0; c < cells_.size(); ++c) factored_pressure_[c] = pressure(c);
+    for (const PointForce& force : stiff_) add_stiffness(force);
     assembled_ = 0;
     factoring_ = true;
 }
 
-// What is held gets its own stiffness and no coupling: solves leave it out, and should it be let go they still know how stiff it is.
+void Tissue::add_stiffness(const PointForce& force) {
+    const Tetrahedron& tet = rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)];
+    const auto& w = force.at.weights;
+    const Block way = force.along.isZero(0) ? Block(Block::Identity()) : Block(force.along * force.along.transpose());
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = 0; b <= a; ++b) add_block(tet[a], tet[b], matrix_.place(tet[a], tet[b]), w[a] * w[b] * force.stiffness * way);
+}
+
 void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Vec3& a, const Vec3& b, const Vec3& w) {
     const Vec3 &free_i = factored_free_[static_cast<std::size_t>(i)], &free_j = factored_free_[static_cast<std::size_t>(j)];
-    if (free_i.minCoeff() > 0 && free_j.minCoeff() > 0) return matrix_.add(place, a, b, w);
-    Block whole = a * b.transpose() + cross_matrix(w), kept = free_i.asDiagonal() * whole * free_j.asDiagonal();
+    if (free_i.minCoeff() > 0 && free_j.minCoeff() > 0) matrix_.add(place, a, b, w);
+    else add_block(i, j, place, a * b.transpose() + cross_matrix(w));
+}
+
+// What is held gets its own stiffness and no coupling: solves leave it out, and should it be let go they still know how stiff it is.
+void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Block& whole) {
+    const Vec3 &free_i = factored_free_[static_cast<std::size_t>(i)], &free_j = factored_free_[static_cast<std::size_t>(j)];
+    Block kept = free_i.asDiagonal() * whole * free_j.asDiagonal();
     if (i == j) kept.diagonal() = whole.diagonal();
     matrix_.add(place, kept);
 }

@@ -32,6 +32,7 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
     const std::size_t n = x_.size();
     for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_})
         nodes->assign(n, Vec3::Zero());
+    stiff_.reserve(rest_.faces.size());
     free_.assign(n, Vec3::Ones());
     factored_x_ = x_, factored_free_ = free_;
     volumes_.resize(cells_.size()), factored_volumes_ = used_volumes_ = volumes_;
@@ -60,11 +61,15 @@ void Tissue::place(std::span<const Vec3> nodes) {
     last_product_ = 0;
 }
 
-Vec3 Tissue::position(const MaterialPoint& point) const {
+Vec3 Tissue::carried(const MaterialPoint& point, std::span<const Vec3> by_nodes) const {
     const Tetrahedron& tet = rest_.tetrahedra[static_cast<std::size_t>(point.tetrahedron)];
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k) sum += point.weights[k] * x_[static_cast<std::size_t>(tet[k])];
+    for (std::size_t k = 0; k < 4; ++k) sum += point.weights[k] * by_nodes[static_cast<std::size_t>(tet[k])];
     return sum;
+}
+
+Vec3 Tissue::position(const MaterialPoint& point) const {
+    return carried(point, x_);
 }
 
 // Of zero strain it is zero, and F there is 1: |F|^2 = 3.
@@ -92,6 +97,19 @@ void Tissue::apply_holds(std::span<const Hold> holds) {
         }
 }
 
+static void share(const Tetrahedron& tet, const std::array<double, 4>& weights, const Vec3& force, std::vector<Vec3>& to) {
+    for (std::size_t k = 0; k < 4; ++k) to[static_cast<std::size_t>(tet[k])] += weights[k] * force;
+}
+
+void Tissue::add_forces(std::span<const PointForce> forces) {
+    outside_.assign(x_.size(), Vec3::Zero());
+    stiff_.clear();
+    for (const PointForce& force : forces) {
+        share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights, force.force, outside_);
+        if (force.stiffness > 0) stiff_.push_back(force);
+    }
+}
+
 void Tissue::add_pressure(double pressure) {
     if (pressure == 0) return;
     for (const Face& face : rest_.faces) {
@@ -117,6 +135,8 @@ void Tissue::find_residual() {
             for (std::size_t k = 0; k < cells.used; ++k) residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(force.x[k], force.y[k], force.z[k]);
         }
     }
+    for (const PointForce& force : stiff_)
+        share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights, -force.lost(carried(force.at, x_) - carried(force.at, before_)), residual_);
     for (std::size_t i = 0; i < x_.size(); ++i) push_[i] = residual_[i].cwiseProduct(free_[i]);
 }
 
@@ -148,7 +168,8 @@ void Tissue::find_strain() {
     }
 }
 
-// Nonlinear conjugate gradients (Polak and Ribiere) with the factored stiffness for a metric.
+// Nonlinear conjugate gradients (Polak and Ribiere) with the factored stiffness for a metric. At the lowest point of the last way nothing pushes along it;
+// where something does, the load is new, and the last way may be mere rounding.
 void Tissue::find_way(bool afresh) {
     find_strain();
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -161,7 +182,9 @@ void Tissue::find_way(bool afresh) {
         solved_[i] = Vec3(by[0], by[1], by[2]).cwiseProduct(free_[i]);
     }
     const double product = dot(push_, solved_), kept = afresh || last_product_ <= 0 ? 0 : std::max(0.0, (product - dot(last_push_, solved_)) / last_product_);
-    for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + kept * way_[i].cwiseProduct(free_[i]);
+    const double carried_on = kept * dot(push_, way_);
+    const bool is_new_load = !(std::abs(carried_on) < 0.5 * product);
+    for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + (is_new_load ? 0 : kept) * way_[i].cwiseProduct(free_[i]);
     if (!(dot(push_, way_) > 0)) way_ = solved_;
     last_push_ = push_;
     last_product_ = product;
@@ -171,6 +194,11 @@ Descent Tissue::energy_along_way() {
     laplacian_.multiply(way_, lway_);
     double drag = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) drag += drag_ * mass_[i] * way_[i].squaredNorm();
+    double stiff = 0;
+    for (const PointForce& force : stiff_) {
+        const Vec3 way = carried(force.at, way_);
+        stiff += way.dot(force.lost(way));
+    }
     std::array<Lane, 5> more;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cells& cells = cells_[c];
@@ -186,7 +214,7 @@ Descent Tissue::energy_along_way() {
         more[3] += k * second * third;
         more[4] += 0.5 * k * third * third;
     }
-    Descent energy{-dot(push_, way_), 0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag)};
+    Descent energy{-dot(push_, way_), 0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag + stiff)};
     for (std::size_t k = 0; k < more.size(); ++k) energy[k + 1] += more[k].sum();
     return energy;
 }
@@ -203,10 +231,7 @@ Report Tissue::step(const Input& input, double seconds) {
     laplacian_.multiply(x_, lx_before_);
     drag_ = rate_ / material_.slowing;
     apply_holds(input.holds);
-    outside_.assign(x_.size(), Vec3::Zero());
-    for (const auto& [at, force] : input.forces)
-        for (std::size_t k = 0; k < 4; ++k)
-            outside_[static_cast<std::size_t>(rest_.tetrahedra[static_cast<std::size_t>(at.tetrahedron)][k])] += at.weights[k] * force;
+    add_forces(input.forces);
     add_pressure(input.pressure);
     laplacian_.multiply(x_, lx_);
     const bool newton = solver_.steps_per_factor == 0;

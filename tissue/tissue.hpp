@@ -19,10 +19,15 @@ struct Hold {
     std::array<bool, 3> along{true, true, true};   ///< Which axes it is held along.
 };
 
-/// A force at a point of the wall, the same throughout a step.
+/// A force at a point of the wall: the same throughout a step, or falling as the point gives way, as what presses or pulls it does (a tool's side, a
+/// thread's tension, a needle). With the whole stiffness of what pushes, that is met however stiff it is and long the step.
 struct PointForce {
     MaterialPoint at;
-    Vec3 force;  ///< [N]
+    Vec3 force;                   ///< Where the point was at the step's start [N].
+    double stiffness = 0;         ///< So much less for each metre that it goes from there in the step [N/m].
+    Vec3 along = Vec3::Zero();    ///< Unit: the stiffness is of this way alone, what slides across is not held back; zero: of all ways.
+
+    Vec3 lost(const Vec3& gone) const { return stiffness * (along.isZero(0) ? gone : Vec3(along.dot(gone) * along)); }  ///< [N]
 };
 
 /// What acts on a wall during one step.
@@ -49,7 +54,7 @@ struct Report {
 /// A vessel's wall that gives way: nearly incompressible, neo-Hookean and viscous, without inertia, in steps of implicit Euler. A step goes down the
 /// energy with what the damping takes, from where the wall is, along Newton's direction of a stiffness that is some steps old, to the lowest point
 /// on the line, which is that of a polynomial. So the wall's energy less the work of steady forces never rises, however long the step and old the
-/// stiffness; what a step leaves undone is the next one's. Deterministic; nothing is allocated after the first step.
+/// stiffness; what a step leaves undone is the next one's. Deterministic; nothing is allocated after the first step, with up to as many forces as faces.
 class Tissue {
   public:
     /// `mesh` must have tetrahedra, of positive volume, in cells of at most eight nodes and six tetrahedra.
@@ -70,7 +75,9 @@ class Tissue {
 
   private:
     void apply_holds(std::span<const Hold> holds);
+    void add_forces(std::span<const PointForce> forces);
     void add_pressure(double pressure);
+    Vec3 carried(const MaterialPoint& point, std::span<const Vec3> by_nodes) const;
     Lane pressure(std::size_t cells) const { return material_.bulk() * swelling_[cells] - Lane(material_.shear()); }
     void find_residual();
     void go_along_way(double far);
@@ -80,6 +87,8 @@ class Tissue {
     void begin_factor();
     void go_on_factoring(long work);
     void factor_at_once();
+    void add_stiffness(const PointForce& force);
+    void add_block(int i, int j, BlockMatrix::Place place, const BlockMatrix::Block& whole);
     void add_block(int i, int j, BlockMatrix::Place place, const Vec3& a, const Vec3& b, const Vec3& w);
     void assemble_node(int node);
     void assemble_cells(std::size_t cells);
@@ -93,6 +102,7 @@ class Tissue {
     std::vector<double> mass_;                              // of nodes [kg]
     std::vector<Vec3> x_, v_, before_;
     std::vector<Vec3> free_, outside_;                      // 1 along axes on which a node is free, 0 where held; forces from outside
+    std::vector<PointForce> stiff_;                         // of the step's forces
     std::vector<Vec3> lx_, lx_before_, lway_;               // L times nodes, and times the way
     std::vector<Vec3> residual_, push_, way_, last_push_, solved_;  // push: what of the residual is on free nodes
     std::vector<Volumes> volumes_;

@@ -142,6 +142,11 @@ void add_steps(Suite& suite, double finer, double force, const Setting& setting,
     add("-over-newton", "mean step over one of Newton's method until it converges", mean / exact_mean, "ratio");
 }
 
+void add_stiff(Suite& suite) {
+    for (const int forces : {0, 10, 100})
+        suite.rows.push_back(row_of("stiff-" + std::to_string(forces), "mean step of 2 ms with " + std::to_string(forces) + " stiff forces", "us", [&] { return stiff_step(forces); }));
+}
+
 // Two vessels of which each tick of a millisecond moves one: a step of 2 ms may take what a tick has, 0.3 ms and at most 0.5.
 void add_speed(Suite& suite, bool quick) {
     const tissue::Solver newton{.iterations = 60, .steps_per_factor = 0, .tolerance = 1e-8};
@@ -176,6 +181,8 @@ Suite tissue_suite(bool quick, const Progress& progress) {
     add_edge(suite, quick);
     at("cells far from the cut");
     add_far(suite);
+    at("stiff forces");
+    add_stiff(suite);
     at("steps");
     add_speed(suite, quick);
     return suite;

@@ -1,5 +1,6 @@
 #include "app/bench/tissue_pull.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -84,6 +85,18 @@ Played play(const VesselPull& pull, const tissue::Solver& solver, double force, 
     }
     played.us.erase(played.us.begin());  // the first step factors at once
     return played;
+}
+
+double stiff_step(int count) {
+    const VesselPull pull(vessel());
+    Tissue tissue({}, pull.mesh);
+    std::vector<tissue::PointForce> forces;
+    for (int i = 0; i < count; ++i) forces.push_back({{i * static_cast<int>(pull.mesh.tetrahedra.size()) / std::max(1, count), {0.25, 0.25, 0.25, 0.25}}, Vec3::Zero(), 1000});
+    tissue.step({.holds = pull.holds, .forces = forces}, 2e-3);
+    constexpr int steps = 400;
+    const double begin = processor_time();
+    for (int i = 0; i < steps; ++i) tissue.step({.holds = pull.holds, .forces = forces}, 2e-3);
+    return 1e6 * (processor_time() - begin) / steps;
 }
 
 Apart apart(const Played& a, const Played& b) {

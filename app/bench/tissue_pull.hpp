@@ -34,6 +34,9 @@ struct Played {
 };
 Played play(const VesselPull& pull, const tissue::Solver& solver, double force, double seconds);
 
+/// Mean processor time of a step at rest with so many stiff forces on the wall's faces, which stick it fast to where it is [us].
+double stiff_step(int forces);
+
 /// How far one is from another at most, and its root mean square, over how far that one goes.
 struct Apart {
     double most, mean;
