@@ -1,0 +1,137 @@
+// Openings in the skin.
+#include <algorithm>
+#include <cmath>
+
+#include "tissue/skin.hpp"
+
+namespace tissue {
+
+namespace {
+
+constexpr double fade = 3;        // radii from the middle to where the wall no longer goes along
+constexpr double rounding = 1e-9; // of a radius: nearer than this to an edge of the outline is on it
+
+}  // namespace
+
+// Seen along the way that the hole is pierced; edges are numbered counter-clockwise from x.
+struct Skin::Outline {
+    Vec3 centre, direction, x, y, up;
+    double radius;
+
+    double beyond(std::size_t edge, const Vec3& point) const {  // [m]
+        const double u = x.dot(point - centre), v = y.dot(point - centre), d = std::sqrt(0.5);
+        const std::array<double, 4> half{u, d * (u + v), v, d * (v - u)};
+        return (edge < 4 ? half[edge] : -half[edge - 4]) - radius;
+    }
+    double left_of_ray(std::size_t corner, const Vec3& point) const {  // from the centre through the corner after an edge of that number [m]
+        const double u = x.dot(point - centre), v = y.dot(point - centre), c = std::sqrt(0.5 + 0.5 * std::sqrt(0.5)), s = std::sqrt(0.5 - 0.5 * std::sqrt(0.5));
+        const std::array<double, 4> half{c * v - s * u, s * v - c * u, -s * v - c * u, -c * v - s * u};
+        return corner < 4 ? half[corner] : -half[corner - 4];
+    }
+    double height(const Vec3& point) const { return std::abs(up.dot(point - centre)); }
+    double radii(const Vec3& point) const {  // from the middle, 1 on the rim, up to two radii above and below it
+        double most = 0.5 * height(point) - radius;
+        for (std::size_t edge = 0; edge < 8; ++edge) most = std::max(most, beyond(edge, point));
+        return 1 + most / radius;
+    }
+};
+
+struct Skin::Polygon {  // convex, a triangle less what is beyond some edges
+    struct Vertex {
+        Vec3 at;
+        Corner corner;
+    };
+    std::array<Vertex, 12> vertices;
+    std::size_t count = 0;
+
+    void add(const Vertex& vertex) { vertices[count++] = vertex; }
+    const Vertex& operator[](std::size_t k) const { return vertices[k]; }
+};
+
+// What of it has more than nothing; new vertices are the wall's where they are.
+template <class Height>
+Skin::Polygon Skin::clipped(const Polygon& all, int face, double tiny, const Height& height) const {
+    Polygon kept;
+    for (std::size_t k = 0; k < all.count; ++k) {
+        const Polygon::Vertex &here = all[k], &next = all[(k + 1) % all.count];
+        const double a = height(here.at), b = height(next.at);
+        if (a >= -tiny) kept.add(here);
+        if (!(a > tiny && b < -tiny) && !(a < -tiny && b > tiny)) continue;
+        const Vec3 at = here.at + a / (a - b) * (next.at - here.at);
+        kept.add({at, {weights_in_face(face, at)}});
+    }
+    return kept;
+}
+
+// Each sector beyond its edge is a convex piece that stays. Triangles that only go along are split by the same rays, so that neighbours keep fitting.
+bool Skin::cut(std::size_t i, const Outline& outline) {
+    const double tiny = rounding * outline.radius;
+    const Triangle& t = triangles_[i];
+    const int face = face_[i];
+    Polygon whole;
+    whole.add({t.a, corners_[i][0]}), whole.add({t.b, corners_[i][1]}), whole.add({t.c, corners_[i][2]});
+    const auto area = [&](const Polygon& p, std::size_t k) { return std::abs(outline.direction.dot((p[k - 1].at - p[0].at).cross(p[k].at - p[0].at))); };
+    const double no_area = tiny * outline.radius;
+    Polygon about = whole;
+    for (std::size_t edge = 0; edge < 8; ++edge) about = clipped(about, face, tiny, [&](const Vec3& at) { return (fade - 1) * outline.radius - outline.beyond(edge, at); });
+    double reach = fade * outline.radius, near = 0;
+    for (std::size_t k = 0; k < about.count; ++k) reach = std::min(reach, outline.height(about[k].at));
+    for (std::size_t k = 2; k < about.count; ++k) near += area(about, k);
+    if (near <= no_area || reach >= fade * outline.radius) return false;
+    for (std::size_t edge = 0; edge < 8; ++edge) {
+        Polygon piece = clipped(whole, face, tiny, [&](const Vec3& at) { return outline.left_of_ray((edge + 7) % 8, at); });
+        piece = clipped(piece, face, tiny, [&](const Vec3& at) { return -outline.left_of_ray(edge, at); });
+        piece = clipped(piece, face, tiny, [&](const Vec3& at) { return outline.beyond(edge, at); });
+        for (std::size_t k = 2; k < piece.count; ++k) {
+            if (area(piece, k) <= no_area) continue;
+            triangles_.push_back({piece[0].at, piece[k - 1].at, piece[k].at});
+            corners_.push_back({piece[0].corner, piece[k - 1].corner, piece[k].corner});
+            face_.push_back(face);
+        }
+    }
+    return true;
+}
+
+// What goes along with another hole already stays with that one, unless it is on this one's rim.
+void Skin::anchor(int hole, const Outline& outline) {
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const std::array<Vec3, 3> at{triangles_[i].a, triangles_[i].b, triangles_[i].c};
+        for (std::size_t k = 0; k < 3; ++k) {
+            Corner& corner = corners_[i][k];
+            const double radii = outline.radii(at[k]);
+            const bool rim = radii <= 1 + 4 * rounding;
+            if (radii >= fade || (corner.hole >= 0 && !rim)) continue;
+            corner.hole = hole;
+            corner.share = rim ? 1 : (fade - radii) / (fade - 1);
+            corner.offset = holes_.back().frame.transpose() * (at[k] - outline.centre);
+        }
+    }
+}
+
+int Skin::pierce(int face, const Vec3& point, const Vec3& direction, double radius) {
+    Hole& hole = holes_.emplace_back(Hole{face, radius, weights_in_face(face, point), Vec3::Zero(), Eigen::Matrix3d::Identity()});
+    place(hole);
+    const Vec3 up = hole.frame.col(2);
+    const double steep = direction.dot(up), most_aslant = std::sqrt(3.0) * std::abs(steep);  // the tangent of 60 degrees
+    const Vec3 aslant = direction - steep * up;
+    const double bend = aslant.norm() > most_aslant ? most_aslant / aslant.norm() : 1;
+    const Vec3 way = steep == 0 ? up : Vec3((steep * up + bend * aslant).normalized());
+    const Vec3 x = (hole.frame.col(0) - way.dot(hole.frame.col(0)) * way).normalized();
+    const Outline outline{hole.centre, way, x, way.cross(x), up, radius};
+
+    const std::size_t count = triangles_.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (normal(static_cast<int>(i)).dot(way) * up.dot(way) > 0 && cut(i, outline)) face_[i] = -1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        if (face_[i] < 0) continue;
+        triangles_[kept] = triangles_[i], corners_[kept] = corners_[i], face_[kept] = face_[i];
+        ++kept;
+    }
+    triangles_.resize(kept), corners_.resize(kept), face_.resize(kept), boxes_.resize(kept);
+    for (std::size_t i = 0; i < kept; ++i) set_box(i);
+    anchor(holes() - 1, outline);
+    return holes() - 1;
+}
+
+}  // namespace tissue
