@@ -23,7 +23,9 @@ draw::Picture scene_picture(const Session& session, const Snapshot& snapshot) {
     picture.thread_radius = session.drill().world.thread.diameter / 2;
     for (std::size_t i = 0; i < snapshot.tools.size(); ++i)
         picture.tools.push_back({session.drill().world.instruments[i].kind, snapshot.tools[i].pose, snapshot.tools[i].jaw});
-    picture.vessels = session.vessels();
+    picture.vessels = snapshot.vessels;
+    picture.needle = snapshot.needle;
+    picture.needle_radius = session.drill().world.needle.wire;
     return picture;
 }
 

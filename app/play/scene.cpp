@@ -44,6 +44,7 @@ void check_start_is_clear(const scenarios::world::WorldDef& def, const std::stri
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
     std::vector<assets::Mesh> meshes;
     for (const auto& vessel : def.vessels) {
+        if (vessel.is_soft) continue;
         meshes.push_back(mesh_of(vessel, def.thread.diameter));
         if (!vessel.mesh_file.empty()) check_start_is_clear(def, vessel.mesh_file, meshes.back());
     }

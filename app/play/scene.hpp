@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// The vessels of a scene as meshes in the world frame: read from their files, or tubes made by numbers.
+/// The rigid vessels of a scene as meshes in the world frame: read from their files, or tubes made by numbers.
 /// Throws assets::AssetError for a bad mesh file, InputFault for one in which the thread would start.
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def);
 

@@ -15,8 +15,8 @@ using sim::geometry::Vec3;
 
 Session::Session(scenarios::drill::Drill drill, std::span<const instruments::ToolInput> start)
     : drill_(std::move(drill)),
-      vessels_(vessel_meshes(drill_.world)),
-      world_(make_world(drill_.world, vessels_, start)),
+      rigid_(vessel_meshes(drill_.world)),
+      world_(make_world(drill_.world, rigid_, start)),
       last_inputs_(start.begin(), start.end()) {}
 
 // Processor time of this thread: what a tick costs, whatever else the machine is doing.
@@ -36,8 +36,15 @@ void Session::tick(std::span<const instruments::ToolInput> inputs) {
 }
 
 Snapshot Session::snapshot(std::string caption) const {
-    Snapshot snapshot{world_.time_s(), std::move(caption), {world_.thread().begin(), world_.thread().end()}, {}, {}};
+    Snapshot snapshot{world_.time_s(), std::move(caption), {world_.thread().begin(), world_.thread().end()}, {}, rigid_, {}, {}};
     for (const auto& tool : world_.tools()) snapshot.tools.push_back(tool.now);
+    for (const auto& vessel : world_.vessels()) {
+        assets::Mesh& mesh = snapshot.vessels.emplace_back();
+        mesh.vertices.assign(vessel.tissue.nodes().begin(), vessel.tissue.nodes().end());
+        for (const tissue::Face& face : vessel.tissue.rest().faces) mesh.triangles.push_back(face.nodes);
+    }
+    constexpr int pieces = 48;
+    for (int k = 0; world_.has_needle() && k <= pieces; ++k) snapshot.needle.push_back(world_.needle().at(world_.needle().length() * k / pieces));
     return snapshot;
 }
 

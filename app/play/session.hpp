@@ -21,6 +21,8 @@ struct Snapshot {
     std::string caption;
     std::vector<sim::geometry::Vec3> thread;
     std::vector<instruments::ToolInput> tools;
+    std::vector<assets::Mesh> vessels;
+    std::vector<sim::geometry::Vec3> needle;  ///< From its tail to its tip; none: empty.
     std::optional<KnotPlace> knot;  ///< Where to look from near; none: the whole field is of interest.
 };
 
@@ -38,7 +40,6 @@ class Session {
 
     const scenarios::drill::Drill& drill() const { return drill_; }
     const scenarios::world::World& world() const { return world_; }
-    const std::vector<assets::Mesh>& vessels() const { return vessels_; }
     Snapshot snapshot(std::string caption) const;
     /// The same from near the knot that is named now, if there is one.
     std::optional<Snapshot> knot_snapshot(std::string caption);
@@ -49,7 +50,7 @@ class Session {
     void watch_events();
 
     scenarios::drill::Drill drill_;
-    std::vector<assets::Mesh> vessels_;
+    std::vector<assets::Mesh> rigid_;
     scenarios::world::World world_;
     std::vector<scenarios::drill::Sample> samples_;
     std::vector<Snapshot> key_moments_;

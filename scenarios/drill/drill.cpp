@@ -5,6 +5,7 @@
 #include "scenarios/drill/json_text.hpp"
 #include "scenarios/drill/keys.hpp"
 #include "scenarios/drill/materials.hpp"
+#include "scenarios/drill/needles.hpp"
 #include "scenarios/drill/start_path.hpp"
 #include "scenarios/drill/tie.hpp"
 
@@ -93,6 +94,12 @@ class Reader {
             if (vessel.axis.isZero(0))
                 document_.fail(place + "/axis", "has no direction, expected one component other than 0");
             vessel.axis.normalize();
+            vessel.is_soft = filled_["effects"]["tissue"] == "elastic";
+            vessel.young_modulus = 1e6 * entry["young_MPa"].get<double>();
+            vessel.start_held = vessel.end_held = false;
+            for (const json& end : entry["held"]) (end == "start" ? vessel.start_held : vessel.end_held) = true;
+            if (vessel.is_soft && entry.contains("mesh"))
+                document_.fail("/effects/tissue", "the wall of \"" + vessel.name + "\", a mesh, cannot give way in this version, expected \"rigid\", or a tube");
             if (entry.contains("mesh")) {
                 vessel.mesh_file = (base_ / entry["mesh"]["file"].get<std::string>()).string();
             } else {
@@ -100,6 +107,7 @@ class Reader {
                 vessel.diameter = metres(tube["diameter_mm"]);
                 vessel.wall = metres(tube["wall_mm"]);
                 vessel.length = metres(tube["length_mm"]);
+                vessel.cut_angle = tube["cut_angle_deg"];
                 if (vessel.wall >= vessel.diameter / 2)
                     document_.fail(place + "/tube/wall_mm", "expected less than half of diameter_mm, which is " +
                                                                 shown(tube["diameter_mm"].get<double>()) + " mm");
@@ -166,12 +174,33 @@ class Reader {
         thread.yield_strain = 0.01 * filled_["thread"]["yield_percent"].get<double>();
     }
 
+    void read_needle(const json& entry) {
+        const auto codes = needle_codes();
+        const auto code = std::find_if(codes.begin(), codes.end(), [&](const auto& of) { return entry["code"] == of.name; });
+        const world::Vec3 towards = direction(entry, "towards"), bulge = direction(entry, "bulge");
+        if (towards.cross(bulge).norm() < 0.01 * towards.norm() * bulge.norm())  // its plane would be unknown to half a degree
+            document_.fail("/thread/needle/bulge", "is along \"towards\", expected a direction across it");
+        drill_.world.needle_code = code->name;
+        drill_.world.needle = needle_at(*code, point(entry["tail_mm"]), towards, bulge);
+    }
+
+    world::Vec3 direction(const json& entry, const char* key) const {
+        const world::Vec3 read = point(entry[key]);
+        if (read.isZero(0)) document_.fail(std::string("/thread/needle/") + key, "has no direction, expected one component other than 0");
+        return read;
+    }
+
     void read_start(json& entry) {
         world::ThreadDef& thread = drill_.world.thread;
+        if (entry.contains("needle")) {
+            read_needle(entry["needle"]);
+            thread.start = start_behind(drill_.world);
+        }
+        const int before = static_cast<int>(thread.start.size());
         if (!entry.contains("start_mm")) entry["start_mm"] = straight_start(drill_.world);
         for (const json& corner : entry["start_mm"]) thread.start.push_back(point(corner));
         if (const auto wrong = cut_and_check_start(drill_.world))
-            document_.fail("/thread/start_mm" + (wrong->at < 0 ? "" : "/" + std::to_string(wrong->at)), wrong->what);
+            document_.fail("/thread/start_mm" + (wrong->at < before ? "" : "/" + std::to_string(wrong->at - before)), wrong->what);
     }
 
     Band band(const json& entry, const std::string& pointer) const {

@@ -1,6 +1,7 @@
 #include "scenarios/drill/keys.hpp"
 
 #include "scenarios/drill/materials.hpp"
+#include "scenarios/drill/needles.hpp"
 
 namespace scenarios::drill {
 
@@ -63,6 +64,16 @@ Shape per_instrument(const std::string& about, double high, const std::string& u
     return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {band("", high, unit)}};
 }
 
+Shape needle() {
+    const auto direction = [](const std::string& about) { return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000)); };
+    return group("A curved needle swaged to the thread, which starts at its tail; start_mm then goes on from behind it. Jaws that are closed on it at the "
+                 "start hold it.",
+                 {{"code", choice("As makers name it: part of a circle, length, wire.", names_of(needle_codes())), true},
+                  {"tail_mm", point("Where its tail is at the start."), true},
+                  {"towards", direction("From there to its tip"), true},
+                  {"bulge", direction("To which side of that line its curve lies"), true}});
+}
+
 Shape thread() {
     // The lower bound of the diameter is that of 11-0. Links shorter than a diameter would be their own neighbours'
     // contacts; the loader checks that apart. 5000 links are 0.2 mm each at a metre.
@@ -90,14 +101,16 @@ Shape thread() {
          {"start_mm",
           list("Path of the thread at the start, at least length_mm long; what is longer is cut off.", 2, 2000,
                point("A corner of the path.")),
-          false}});
+          false},
+         {"needle", needle(), false}});
 }
 
 Shape vessel() {
     const Shape tube =
         group("A tube by numbers.", {{"diameter_mm", quantity("Outer diameter.", 0.3, 60, "mm"), true},
                                      {"wall_mm", quantity("Thickness of the wall.", 0.02, 5, "mm"), true},
-                                     {"length_mm", quantity("Length.", 1, 500, "mm"), true}});
+                                     {"length_mm", quantity("Length.", 1, 500, "mm"), true},
+                                     {"cut_angle_deg", quantity("Between its axis and the cut at an end that no clamp holds.", 45, 90, "degrees"), false, 90}});
     const Shape hash = {.types = text,
                         .about = "SHA-256 of the file.",
                         .pattern = "^[0-9a-f]{64}$",
@@ -106,7 +119,7 @@ Shape vessel() {
         group("A closed triangle mesh written in mm.",
               {{"file", words("Path from the drill file: .obj, .ply or .stl."), true}, {"sha256", hash, true}});
     Shape shape =
-        group("A vessel. In this version rigid, so it stays where it is whether held or not.",
+        group("A vessel. Rigid, or where effects has tissue a wall that gives way: a tube that is held where clamps hold it, cut where none does.",
               {{"name", name("How goals call it."), true},
                {"tube", tube},
                {"mesh", mesh},
@@ -114,7 +127,8 @@ Shape vessel() {
                {"axis", list("Direction of a tube, any length but zero.", 3, 3, quantity("Component.", -1000, 1000)),
                 false, json::array({1, 0, 0})},
                {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
-                json::array({"start", "end"})}});
+                json::array({"start", "end"})},
+               {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1}});
     shape.one_of = {"tube", "mesh"};
     return shape;
 }
@@ -134,7 +148,7 @@ Shape effects() {
                           {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")}};
     for (const char* effect : {"twist", "tear", "leak"})
         keys.push_back({effect, {.types = boolean, .choices = {false}, .why_only = only}, false, false});
-    keys.push_back({"tissue", choice("Deformation of vessels.", {"rigid"}, only), false, "rigid"});
+    keys.push_back({"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false, "rigid"});
     return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));
 }
 

@@ -88,7 +88,16 @@ std::optional<StartProblem> cut_and_check_start(world::WorldDef& world) {
     return clear_of_itself(world.thread);
 }
 
+std::vector<Vec3> start_behind(const world::WorldDef& world) {
+    const double two_links = 2 * world.thread.length / world.thread.links;
+    return {world.needle.tail(), world.needle.tail() - two_links * world.needle.tangent(0)};
+}
+
 nlohmann::json straight_start(const world::WorldDef& world) {
+    if (!world.needle_code.empty()) {
+        const Vec3 end = 1000 * (world.needle.tail() - world.thread.length * world.needle.tangent(0)), before = 0.5 * (1000 * world.thread.start.back() + end);
+        return {{before.x(), before.y(), before.z()}, {end.x(), end.y(), end.z()}};
+    }
     double top = 0;
     for (const world::VesselDef& vessel : world.vessels)
         top = std::max(top, vessel.centre.z() + vessel.length / 2 * std::abs(vessel.axis.z()) + vessel.diameter / 2);

@@ -17,7 +17,10 @@ struct StartProblem {
 /// enough, no corner given twice, clear of every tube and of itself. Cost: quadratic in corners.
 std::optional<StartProblem> cut_and_check_start(world::WorldDef& world);
 
-/// The path used when none is given: straight along y, 10 mm above the highest tube. [mm], as in a drill file.
+/// With a needle, the path's first two corners: its tail, and behind it along its wire as far as it is sure to go straight.
+std::vector<world::Vec3> start_behind(const world::WorldDef& world);
+
+/// The path used when none is given: with a needle straight on from start_behind(), else straight along y, 10 mm above the highest tube. [mm], as in a drill file.
 nlohmann::json straight_start(const world::WorldDef& world);
 
 }  // namespace scenarios::drill

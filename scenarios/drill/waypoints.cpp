@@ -106,7 +106,7 @@ class Reader {
     void step() {
         const std::string verb = word("a step");
         if (verb == "tool") {
-            turn();
+            orient();
         } else if (verb == "start") {
             start();
         } else if (verb == "mirror") {
@@ -119,6 +119,8 @@ class Reader {
             complain("\"" + verb + "\" before `start`, expected every tool to be placed first");
         } else if (verb == "go") {
             go();
+        } else if (verb == "turn") {
+            turn_about();
         } else if (verb == "jaw") {
             Tool& moved = tool();
             moved.jaw = number("jaw", 0, 1);
@@ -127,12 +129,12 @@ class Reader {
         } else if (verb == "wait") {
             pass(number("seconds", 0.001, 600));
         } else {
-            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, jaw, wait or mirror");
+            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, turn, jaw, wait or mirror");
         }
         if (more()) complain("\"" + words_[next_] + "\" is one word too many");
     }
 
-    void turn() {
+    void orient() {
         const std::string name = word("a tool's name");
         expect("pointing");
         const Vec3 pointing = vector("pointing");
@@ -178,6 +180,30 @@ class Reader {
             moved.place_mm = to;
         }
         pass(std::max(least_step_s, longest / speed_mm_s_));
+    }
+
+    // In pieces so short that places between them are off the arc by a thousandth of its radius.
+    void turn_about() {
+        constexpr double piece = 5, radians = 3.14159265358979324 / 180;
+        Tool& turned = tool();
+        const double angle = number("degrees", -720, 720);
+        expect("about");
+        Vec3 axis = vector("axis");
+        if (axis.isZero(0)) complain("the axis has no direction, expected one component other than 0");
+        axis.normalize();
+        if (mirrored_) axis = {-axis.x(), axis.y(), -axis.z()};  // and so the other way round
+        expect("through");
+        const Vec3 centre = place();
+        expect("in");
+        const double seconds = number("seconds", 0.001, 600);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / piece)));
+        const Eigen::AngleAxisd by(radians * angle / pieces, axis);
+        for (int k = 0; k < pieces; ++k) {
+            turned.place_mm = centre + by * (turned.place_mm - centre);
+            turned.pointing = by * turned.pointing;
+            turned.opening = by * turned.opening;
+            pass(seconds / pieces);
+        }
     }
 
     void pass(double seconds) {

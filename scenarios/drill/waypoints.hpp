@@ -14,9 +14,11 @@ namespace scenarios::drill {
 ///   start left -7 37 42 jaw 0.6 right 22 0 30 jaw 0  where every tool is at time 0
 ///   speed 60                                         of the fastest tool in the steps that follow
 ///   go left -8 30 36 right -18 0 20                  in a straight line, all tools arriving together
+///   turn right 120 about 0 1 0 through 0 0 5 in 2    round an axis through a place, so many degrees, the tool and how it is turned: as
+///                                                     a needle is driven
 ///   jaw right 0 in 0.3                               opens or closes
 ///   wait 0.5
-///   mirror y                                         from here on y of places is negated; `mirror off` ends it
+///   mirror y                                         from here on y of places is negated, turns are the other way round
 struct Waypoints {
     std::vector<std::string> instruments;  ///< In order of `start`.
     Motion motion;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "instruments/tool.hpp"
+#include "sim/geometry/arc.hpp"
 
 // What a scene is made of, as plain values in SI. scenarios/drill fills these from a file; tests fill them by hand.
 namespace scenarios::world {
@@ -35,6 +36,10 @@ struct VesselDef {
     std::string name = "vessel";
     double diameter = 4e-3, wall = 0.6e-3, length = 30e-3;  ///< Tube by numbers [m]; outer diameter.
     Vec3 centre = Vec3::Zero(), axis = Vec3::UnitX();
+    double cut_angle = 90;                                  ///< Of ends that are not held [degrees], 45 to 90.
+    bool start_held = true, end_held = true;
+    bool is_soft = false;                                   ///< Its wall gives way, with
+    double young_modulus = 0.1e6;                           ///< [Pa].
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
 };
 
@@ -45,6 +50,8 @@ struct InstrumentDef {
 
 struct WorldDef {
     ThreadDef thread;
+    std::string needle_code;        ///< Of the needle that the thread's first node is swaged to; empty: none.
+    sim::geometry::Arc needle;      ///< Where it is at t = 0; the thread starts at its tail.
     std::vector<VesselDef> vessels;
     std::vector<InstrumentDef> instruments;
     double tick_s = 1e-3;

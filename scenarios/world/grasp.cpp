@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scenarios/world/jaw_room.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {
@@ -14,30 +15,6 @@ constexpr double shut_below = 0.25, open_above = 0.40;
 Vec3 in_tool(const ToolInput& tool, const Vec3& world_point) {
     return tool.pose.rotation.conjugate() * (world_point - tool.pose.position);
 }
-
-// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the hinge
-// to the tip along z.
-struct JawRoom {
-    instruments::Capsule plus, minus;
-
-    JawRoom(const instruments::ToolShape& shape, double jaw) {
-        const auto parts = instruments::parts_at(shape, {}, jaw);
-        plus = parts[instruments::jaw_plus];
-        minus = parts[instruments::jaw_minus];
-        if (plus.a.z() > plus.b.z()) std::swap(plus.a, plus.b);
-        if (minus.a.z() > minus.b.z()) std::swap(minus.a, minus.b);
-    }
-    double axis_x(const instruments::Capsule& jaw, double z) const {
-        const double t = std::clamp((z - jaw.a.z()) / (jaw.b.z() - jaw.a.z()), 0.0, 1.0);
-        return jaw.a.x() + t * (jaw.b.x() - jaw.a.x());
-    }
-    bool holds(const Vec3& p, double reach_y) const {
-        if (p.z() < plus.a.z() || p.z() > plus.b.z() + plus.radius) return false;
-        return std::abs(p.y()) <= reach_y && p.x() <= axis_x(plus, p.z()) && p.x() >= axis_x(minus, p.z());
-    }
-    /// Half of the gap between the jaws' surfaces at z; not negative.
-    double half_gap(double z) const { return std::max(0.0, axis_x(plus, z) - plus.radius); }
-};
 
 // The closing jaws lay the strand flat between their inner faces; each link keeps its length and, in the plane of the
 // jaws, its direction.
@@ -71,6 +48,7 @@ const T& at(std::span<const T> values, int i) { return values[static_cast<std::s
 }  // namespace
 
 bool World::is_held(int node) const {
+    if (has_needle() && node <= 1) return true;
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
             if (node >= grasp.first && node < grasp.first + grasp.count) return true;
@@ -112,14 +90,16 @@ void World::take_hold(Tool& tool) {
 }
 
 void World::update_grasps() {
-    for (Tool& tool : tools_) {
+    for (int number = 0; number < static_cast<int>(tools_.size()); ++number) {
+        Tool& tool = tools_[static_cast<std::size_t>(number)];
         if (!tool.closed && tool.now.jaw < shut_below) {
             tool.closed = true;
-            take_hold(tool);
+            if (!take_needle(number, JawRoom(tool.shape, tool.now.jaw))) take_hold(tool);
         } else if (tool.closed && tool.now.jaw > open_above) {
             tool.closed = false;
             for (const Grasp& grasp : tool.grasps) log("release", tool.def.name, grasp.middle());
             tool.grasps.clear();
+            let_needle_go(number);
         }
         const JawRoom room(tool.shape, tool.now.jaw);
         for (Grasp& grasp : tool.grasps) flatten(grasp, room);

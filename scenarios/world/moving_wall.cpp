@@ -11,20 +11,43 @@ static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static std::array<const Vec3*, 3> corners_of(const Triangle& t) { return {&t.a, &t.b, &t.c}; }
 
-MovingWall::MovingWall(std::vector<Triangle> triangles, double radius) : radius_(radius), tree_(triangles) {
+MovingWall::MovingWall(std::vector<Triangle> triangles, double radius) : radius_(radius), tree_(triangles), moved_(std::move(triangles)) {
+    number_corners();
+    places_ = targets_;
+}
+
+void MovingWall::number_corners() {
+    corners_.clear();
+    targets_.clear();
     std::map<std::array<double, 3>, int> known;
-    for (const Triangle& t : triangles) {
+    for (const Triangle& t : moved_) {
         auto& mine = corners_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3& p = *corners_of(t)[k];
-            const auto [found, is_new] = known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(places_.size()));
-            if (is_new) places_.push_back(p);
+            const auto [found, is_new] = known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(targets_.size()));
+            if (is_new) targets_.push_back(p);
             mine[k] = found->second;
         }
     }
-    targets_ = places_;
-    room_.resize(places_.size());
+    room_.resize(targets_.size());
+}
+
+void MovingWall::renew(std::vector<Triangle> triangles) {
+    const std::vector<Vec3> were = targets_, shown = places_;
     moved_ = std::move(triangles);
+    number_corners();
+    places_.clear();
+    for (const Vec3& target : targets_) {
+        const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - target).squaredNorm() < (b - target).squaredNorm(); };
+        const auto nearest = static_cast<std::size_t>(std::min_element(were.begin(), were.end(), nearer) - were.begin());
+        places_.push_back(target + (shown[nearest] - were[nearest]));
+    }
+    show();
+    tree_ = sim::geometry::TriangleTree(moved_);
+}
+
+void MovingWall::show() {
+    for (std::size_t t = 0; t < moved_.size(); ++t) moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
 }
 
 double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms) {
@@ -45,7 +68,7 @@ double MovingWall::follow(std::span<const Triangle> targets, std::span<const dou
         most = std::max(most, std::min(far, may));
     }
     if (most == 0) return 0;
-    for (std::size_t t = 0; t < moved_.size(); ++t) moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
+    show();
     tree_.move(moved_);
     return most;
 }

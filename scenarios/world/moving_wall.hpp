@@ -17,6 +17,10 @@ class MovingWall {
     /// `radius`: of the thread [m].
     MovingWall(std::vector<Triangle> triangles, double radius);
 
+    /// Other triangles in place of these, of which most corners are the same: those are where they were, new ones behind theirs as far as the
+    /// nearest. Quadratic.
+    void renew(std::vector<Triangle> triangles);
+
     const sim::geometry::TriangleTree& tree() const { return tree_; }
     int size() const { return tree_.size(); }
 
@@ -25,6 +29,9 @@ class MovingWall {
     double follow(std::span<const Triangle> targets, std::span<const double> rooms);
 
   private:
+    void number_corners();
+    void show();
+
     double radius_;
     sim::geometry::TriangleTree tree_;
     std::vector<std::array<int, 3>> corners_;       // of each triangle; those that began in one place are one

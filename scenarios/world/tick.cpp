@@ -10,6 +10,7 @@ void World::tick(std::span<const ToolInput> inputs) {
     const sim::thread::TickReport report = move_thread();
     let_tools_wait();
     let_grasps_slip();
+    move_vessels();
     measure(report);
 }
 
@@ -49,6 +50,7 @@ void World::fit_links() {
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
             for (int k = 0; k < grasp.count; ++k) held_.push_back(grasp.first + k);
+    if (has_needle()) held_.insert(held_.end(), {0, 1});
     if (!thread_.fit_links(held_)) return;
     std::size_t next = 0;
     for (Tool& tool : tools_)
@@ -78,7 +80,8 @@ sim::thread::TickReport World::move_thread() {
         const auto to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
         for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], static_cast<int>(i)});
     }
-    return thread_.tick({holds_, hold_owners_, capsules_, &surface_, def_.tick_s});
+    hold_thread_on_needle();
+    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it.
@@ -90,6 +93,7 @@ void World::let_tools_wait() {
         tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
                     tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
         bench_.set_pose(static_cast<int>(i), tool.now);
+        if (needle_.holder.tool == static_cast<int>(i)) needle_.now = needle_led_by(tool.now.pose);
     }
 }
 

@@ -31,9 +31,25 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
     return {thread, sim::thread::resample(path, def.links)};
 }
 
+static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {
+    std::vector<SoftVessel> vessels;
+    for (const VesselDef& vessel : def.vessels)
+        if (vessel.is_soft) vessels.emplace_back(vessel);
+    return vessels;
+}
+
+static std::vector<Triangle> all_of(std::vector<Triangle> triangles, std::vector<SoftVessel>& vessels) {
+    for (SoftVessel& vessel : vessels) {
+        vessel.first = static_cast<int>(triangles.size());
+        for (int t = 0; t < vessel.skin.size(); ++t) triangles.push_back(vessel.skin[t]);
+    }
+    return triangles;
+}
+
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
-    : def_(def), thread_(make_thread(def.thread)), surface_(std::move(surface)) {
-    if (surface_.size() > 0) bench_.add_surface(surface_.triangles());
+    : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_(all_of(surface, vessels_), def.thread.diameter / 2),
+      targets_(wall_.tree().triangles()) {
+    if (!surface.empty()) bench_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
         bench_.set_pose(bench_.add_tool(kind), start[i]);
@@ -45,14 +61,15 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
         cores_.push_back({vessel.centre - half, vessel.centre, vessel.centre + half});
     }
     const std::size_t tools = tools_.size();
+    needle_.before = needle_.now = def.needle;
     measures_.tail_mm.assign(2, 0);
     measures_.path_mm.assign(tools, 0);
     measures_.grasps.assign(tools, 0);
     measures_.lag_max_mm.assign(tools, {});
-    held_.reserve(16 * tools);
-    holds_.reserve(16 * tools);
-    hold_owners_.reserve(16 * tools);
-    capsules_.reserve(instruments::part_count * tools);
+    constexpr std::size_t on_needle = 2;
+    for (auto* of_nodes : {&held_, &hold_owners_}) of_nodes->reserve(16 * tools + on_needle);
+    holds_.reserve(16 * tools + on_needle);
+    capsules_.reserve(instruments::part_count * tools + instruments::needle_parts);
     events_.reserve(1024);
 }
 
@@ -74,6 +91,12 @@ std::uint64_t World::hash() const {
                 for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
         }
     }
+    for (const SoftVessel& vessel : vessels_)
+        for (const Vec3& node : vessel.tissue.nodes())
+            for (int c = 0; c < 3; ++c) add(node[c]);
+    if (has_needle())
+        for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards})
+            for (int c = 0; c < 3; ++c) add((*of_needle)[c]);
     return hash;
 }
 

@@ -7,14 +7,19 @@
 #include <vector>
 
 #include "instruments/bench.hpp"
+#include "instruments/needle.hpp"
 #include "scenarios/world/defs.hpp"
 #include "scenarios/world/measure.hpp"
-#include "sim/geometry/triangle_tree.hpp"
+#include "scenarios/world/moving_wall.hpp"
+#include "scenarios/world/soft_vessel.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace scenarios::world {
 
+using instruments::Arc;
 using instruments::ToolInput;
+
+struct JawRoom;
 
 /// One strand between a tool's jaws: the nodes `first` to `first + count - 1`, fixed to the tool.
 struct Grasp {
@@ -36,17 +41,29 @@ struct Tool {
     bool slipping = false;       ///< The thread slid between the jaws in the last tick.
 };
 
+/// Who holds the needle, and how.
+struct Holder {
+    int tool = -1;   ///< None: -1.
+    Arc seen = {};   ///< The needle in the tool's frame.
+};
+
+/// Goes where its holder goes and stays where it is let go. `next` has closed on it too, and leads it when the other lets go.
+struct Needle {
+    Arc before, now;
+    Holder holder, next;
+};
+
 /// Worst of the whole session so far; a drill's result quotes them.
 struct Worst {
     double stretch = 0, separation = 1e300, step_over_bound = 0;
     int contacts = 0;
 };
 
-/// A scene: one thread, its vessels, its tools. Everything a tick depends on is in here, so two worlds made of the same
+/// A scene: one thread, its needle, its vessels, its tools. Everything a tick depends on is in here, so two worlds made of the same
 /// definition and fed the same inputs are the same bit for bit.
 class World {
   public:
-    /// `surface`: the vessels' triangles in the world frame. `start`: where the tools are, one per instrument.
+    /// `surface`: the rigid vessels' triangles in the world frame. `start`: where the tools are, one per instrument.
     /// `record_events` false saves time when only the state matters.
     World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start);
 
@@ -60,6 +77,10 @@ class World {
     std::span<const Tool> tools() const { return tools_; }
     std::span<const sim::geometry::Vec3> thread() const { return thread_.nodes(); }
     const sim::thread::Thread& thread_state() const { return thread_; }
+    /// Those that give way, in the order of the definition.
+    std::span<const SoftVessel> vessels() const { return vessels_; }
+    bool has_needle() const { return !def_.needle_code.empty(); }
+    const Arc& needle() const { return needle_.now; }
     const Measures& measures() const { return measures_; }
     std::span<const Event> events() const { return events_; }
     const Worst& worst() const { return worst_; }
@@ -82,12 +103,19 @@ class World {
     sim::thread::TickReport move_thread();
     void let_tools_wait();
     void let_grasps_slip();
+    void load_vessels();
+    void move_vessels();
+    void show_vessels();
     void measure(const sim::thread::TickReport& report);
     void name_beside();
     void take_name(sim::knot::Tied tied);
     void locate_hitch(const VesselDef& vessel);
     void measure_knot(const std::vector<sim::geometry::Vec3>& curve, std::size_t first, std::size_t last);
 
+    bool take_needle(int number, const JawRoom& room);
+    void let_needle_go(int number);
+    Arc needle_led_by(const instruments::Pose& tool) const;
+    void hold_thread_on_needle();
     void take_hold(Tool& tool);
     bool is_held(int node) const;
     bool slip(Tool& tool, Grasp& grasp);
@@ -104,9 +132,14 @@ class World {
 
     WorldDef def_;
     sim::thread::Thread thread_;
-    sim::geometry::TriangleTree surface_;
+    std::vector<SoftVessel> vessels_;
+    MovingWall wall_;                              // of all vessels, the rigid ones first
+    std::vector<Triangle> targets_;                // where it should be
+    std::vector<double> rooms_;                    // scratch
+    double wall_moved_ = 0;                        // since the last tick [m]
     instruments::Bench bench_;
     std::vector<Tool> tools_;
+    Needle needle_;
     std::vector<int> held_;                        // nodes; scratch
     std::vector<sim::thread::Hold> holds_;         // of this tick
     std::vector<int> hold_owners_;

@@ -102,7 +102,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\", \"needle\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),
@@ -132,9 +132,12 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:16:26: error: /effects/bending: an elastic thread bends, expected true, or \"model\": \"ftl\" in the thread"},
         {elastic("{\"plastic_set\": true}", ", \"material\": \"silk\""),
          "a.json:16:30: error: /effects/plastic_set: nothing is known of when silk yields, expected false, or \"yield_percent\" in the thread"},
-        {with("\"gravity\": false", "\"tissue\": \"elastic\""),
-         "a.json:16:25: error: /effects/tissue: this version cannot simulate more, expected \"rigid\", found "
-         "\"elastic\""},
+        {with("\"gravity\": false", "\"tissue\": \"jelly\""),
+         "a.json:16:25: error: /effects/tissue: expected \"rigid\" or \"elastic\", found \"jelly\""},
+        {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 0], "bulge": [0, 0, 1]})"),
+         "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
+        {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 0, -2]})"),
+         "a.json:7:85: error: /thread/needle/bulge: is along \"towards\", expected a direction across it"},
         {with("\"friction\": 0.2", "\"model\": \"rubber\""),
          "a.json:7:14: error: /thread/model: expected \"ftl\" or \"elastic\", found \"rubber\""},
         {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),

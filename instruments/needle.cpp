@@ -1,0 +1,33 @@
+#include "instruments/needle.hpp"
+
+namespace instruments {
+
+Arc into_tool(const Arc& needle, const Pose& tool) {
+    const Quat back = tool.rotation.conjugate();
+    Arc seen = needle;
+    seen.centre = back * (needle.centre - tool.position);
+    seen.to_tail = back * needle.to_tail;
+    seen.onwards = back * needle.onwards;
+    return seen;
+}
+
+Arc out_of_tool(const Arc& needle, const Pose& tool) {
+    Arc seen = needle;
+    seen.centre = tool.position + tool.rotation * needle.centre;
+    seen.to_tail = tool.rotation * needle.to_tail;
+    seen.onwards = tool.rotation * needle.onwards;
+    return seen;
+}
+
+std::array<Capsule, needle_parts> parts_of(const Arc& needle) {
+    std::array<Capsule, needle_parts> parts;
+    Vec3 from = needle.tail();
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const Vec3 to = needle.at(needle.length() * static_cast<double>(k + 1) / needle_parts);
+        parts[k] = {from, to, needle.wire};
+        from = to;
+    }
+    return parts;
+}
+
+}  // namespace instruments

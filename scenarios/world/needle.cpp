@@ -1,0 +1,62 @@
+#include "scenarios/world/jaw_room.hpp"
+#include "scenarios/world/world.hpp"
+
+namespace scenarios::world {
+
+// Closing jaws hold the needle where it passes through their middle plane between them, at whatever angle.
+bool World::take_needle(int number, const JawRoom& room) {
+    if (!has_needle()) return false;
+    constexpr int looks = 64;  // a millimetre of the longest needle each holds no two crossings
+    const Tool& tool = tools_[static_cast<std::size_t>(number)];
+    const Arc seen = instruments::into_tool(needle_.now, tool.before.pose);
+    for (int k = 0; k < looks; ++k) {
+        const double from = seen.length() * k / looks, to = seen.length() * (k + 1) / looks;
+        const Vec3 a = seen.at(from), b = seen.at(to);
+        if ((a.y() < 0) == (b.y() < 0)) continue;
+        const double share = a.y() / (a.y() - b.y());
+        Vec3 crossing = a + share * (b - a);
+        crossing.y() = 0;
+        if (!room.holds(crossing, 0)) continue;
+        const Holder holder{number, seen};
+        (needle_.holder.tool < 0 ? needle_.holder : needle_.next) = holder;
+        log("needle_grasp", tool.def.name, 1e3 * (from + share * (to - from)));
+        return true;
+    }
+    return false;
+}
+
+// The next holder has it from where it is now.
+void World::let_needle_go(int number) {
+    if (needle_.next.tool == number) needle_.next = {};
+    if (needle_.holder.tool != number) return;
+    log("needle_release", tools_[static_cast<std::size_t>(number)].def.name, 0);
+    needle_.holder = needle_.next;
+    needle_.next = {};
+    if (const int tool = needle_.holder.tool; tool >= 0)
+        needle_.holder.seen = instruments::into_tool(needle_.now, tools_[static_cast<std::size_t>(tool)].before.pose);
+}
+
+Arc World::needle_led_by(const instruments::Pose& tool) const {
+    return needle_.holder.tool < 0 ? needle_.now : instruments::out_of_tool(needle_.holder.seen, tool);
+}
+
+// The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where it is.
+void World::hold_thread_on_needle() {
+    if (!has_needle()) return;
+    const int owner = needle_.holder.tool;
+    const bool is_led = owner >= 0;
+    const Tool* tool = is_led ? &tools_[static_cast<std::size_t>(owner)] : nullptr;
+    needle_.before = needle_.now;
+    if (is_led) needle_.now = needle_led_by(tool->now.pose);
+    const Arc wanted = is_led && !tool->stopped ? needle_led_by(tool->asked.pose) : needle_.now;
+    const double first = thread_.rest_lengths().front();
+    for (const int node : {0, 1}) {
+        const auto place = [&](const Arc& needle) -> Vec3 { return needle.tail() - (node * first) * needle.tangent(0); };
+        holds_.push_back({node, place(needle_.now), place(wanted), true, place(needle_.before)});
+        hold_owners_.push_back(owner);
+    }
+    const auto from = instruments::parts_of(needle_.before), to = instruments::parts_of(needle_.now);
+    for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], owner});
+}
+
+}  // namespace scenarios::world

@@ -1,0 +1,55 @@
+#include "scenarios/world/soft_vessel.hpp"
+
+#include <set>
+
+#include "tissue/tube.hpp"
+
+namespace scenarios::world {
+
+using tissue::Side;
+
+// From its cut to its far end; the second of the two ends where neither is held or both are.
+static Vec3 inwards(const VesselDef& def) { return def.start_held && !def.end_held ? Vec3(-def.axis) : def.axis; }
+
+// Columns: along the vessel, across it level, across both. Two that face each other so have cuts that are parallel.
+static Eigen::Matrix3d frame_of(const Vec3& along) {
+    const Vec3 up = std::abs(along.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+    Eigen::Matrix3d frame;
+    frame.col(0) = along;
+    frame.col(1) = up.cross(along).normalized();
+    frame.col(2) = frame.col(0).cross(frame.col(1));
+    return frame;
+}
+
+tissue::Mesh wall_of(const VesselDef& def) {
+    const bool is_cut = !def.start_held || !def.end_held;
+    tissue::TubeDef tube{.diameter = def.diameter, .wall = def.wall, .length = def.length, .cut_angle = is_cut ? def.cut_angle : 90.0};
+    tube.near_length = is_cut ? std::min(def.diameter, 0.5 * def.length) : 0.5 * def.length;
+    tissue::Mesh wall = make_tube(tube);
+    const Vec3 along = inwards(def), cut = def.centre - 0.5 * def.length * along;
+    const Eigen::Matrix3d frame = frame_of(along);
+    for (Vec3& node : wall.nodes) node = cut + frame * node;
+    return wall;
+}
+
+static std::vector<tissue::Hold> clamps_of(const VesselDef& def, const tissue::Mesh& wall) {
+    std::set<int> held;
+    for (const tissue::Face& face : wall.faces)
+        if ((face.side == Side::far_end && (def.start_held || def.end_held)) || (face.side == Side::cut && def.start_held && def.end_held))
+            held.insert(face.nodes.begin(), face.nodes.end());
+    std::vector<tissue::Hold> clamps;
+    for (const int node : held) clamps.push_back({node, wall.nodes[static_cast<std::size_t>(node)]});
+    return clamps;
+}
+
+static tissue::Material material_of(const VesselDef& def) {
+    tissue::Material material;
+    material.young = def.young_modulus;
+    return material;
+}
+
+SoftVessel::SoftVessel(const VesselDef& def) : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), clamps(clamps_of(def, tissue.rest())) {
+    forces.reserve(4096);
+}
+
+}  // namespace scenarios::world

@@ -1,0 +1,105 @@
+// A needle goes with who holds it, stays where it is let go, and leads the thread by its tail.
+#include <gtest/gtest.h>
+
+#include "scenarios/world/world.hpp"
+
+namespace {
+
+using instruments::ToolInput;
+using scenarios::world::World;
+using sim::geometry::Arc;
+using sim::geometry::Vec3;
+
+constexpr double mm = 1e-3;
+
+// A needle in the plane of x and z, tail to the right, its back up; two needle holders that come from +y and -y can close on it.
+struct Scene {
+    scenarios::world::WorldDef def;
+    std::array<ToolInput, 2> tools;
+
+    Scene() {
+        def.instruments = {{"right", instruments::Kind::needle_holder}, {"left", instruments::Kind::forceps}};
+        def.needle_code = "BV-1";
+        def.needle = {.to_tail = Vec3::UnitX(), .onwards = Vec3::UnitZ(), .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
+        def.thread.length = 30 * mm;
+        def.thread.links = 100;
+        def.thread.start = {def.needle.tail(), def.needle.tail() - 30 * mm * def.needle.tangent(0)};
+        tools[0].pose = across(def.needle.at(2 * mm), def.needle.tangent(2 * mm), 1);
+        tools[1].pose = across(def.needle.at(7 * mm), def.needle.tangent(7 * mm), -1);
+    }
+
+    // Jaws whose middle plane a wire at `at` along `along` crosses 1.5 mm behind their tips; the tool points along y or against it.
+    static instruments::Pose across(const Vec3& at, const Vec3& along, double way) {
+        Eigen::Matrix3d axes;
+        axes.col(2) = way * Vec3::UnitY();
+        axes.col(1) = along;
+        axes.col(0) = axes.col(1).cross(axes.col(2));
+        return {at + 1.5 * mm * axes.col(2), sim::geometry::Quat(axes).normalized()};
+    }
+};
+
+double off(const Arc& a, const Arc& b) { return (a.tail() - b.tail()).norm() + (a.tip() - b.tip()).norm(); }
+
+std::size_t count(const World& world, const std::string& kind) {
+    return static_cast<std::size_t>(std::count_if(world.events().begin(), world.events().end(), [&](const auto& event) { return event.kind == kind; }));
+}
+
+TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
+    Scene scene;
+    World world(scene.def, {}, scene.tools);
+    const auto go = [&](int ticks) {
+        for (int t = 0; t < ticks; ++t) world.tick(scene.tools);
+    };
+    go(10);
+    EXPECT_EQ(off(world.needle(), scene.def.needle), 0) << "nobody holds it";
+    scene.tools[0].jaw = 0;
+    go(10);
+    EXPECT_EQ(count(world, "needle_grasp"), 1u);
+    EXPECT_NEAR(world.events().back().value, 2, 0.01);  // millimetres from its tail; looks are chords
+    EXPECT_TRUE(world.tools()[0].grasps.empty()) << "jaws that hold the needle hold no thread";
+    for (int t = 0; t < 500; ++t) {
+        scene.tools[0].pose.position.x() += 0.02 * mm;  // 20 mm/s
+        world.tick(scene.tools);
+    }
+    go(5);
+    EXPECT_LT((world.needle().tail() - scene.def.needle.tail() - Vec3(10 * mm, 0, 0)).norm(), 1e-12);  // a millionth of the thread, for rounding
+    EXPECT_LT((world.thread()[0] - world.needle().tail()).norm(), 1e-3 * scene.def.thread.diameter);
+    const Vec3 first = (world.thread()[0] - world.thread()[1]).normalized();
+    EXPECT_GT(first.dot(world.needle().tangent(0)), 0.999) << "along the wire";
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+}
+
+TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
+    Scene scene;
+    World world(scene.def, {}, scene.tools);
+    const auto go = [&](int ticks) {
+        for (int t = 0; t < ticks; ++t) world.tick(scene.tools);
+    };
+    scene.tools[0].jaw = 0;
+    go(5);
+    scene.tools[1].jaw = 0;
+    go(5);
+    scene.tools[1].pose.position.z() += 1 * mm;
+    go(20);
+    EXPECT_LT(off(world.needle(), scene.def.needle), 1e-12) << "the first leads";
+    scene.tools[1].pose.position.z() -= 1 * mm;
+    go(20);
+    scene.tools[0].jaw = 1;
+    go(5);
+    EXPECT_LT(off(world.needle(), scene.def.needle), 1e-12) << "it does not leap when it changes hands";
+    for (int t = 0; t < 100; ++t) {
+        scene.tools[1].pose.position.z() += 0.02 * mm;
+        world.tick(scene.tools);
+    }
+    EXPECT_LT((world.needle().tip() - scene.def.needle.tip() - Vec3(0, 0, 2 * mm)).norm(), 1e-12);
+    const Arc there = world.needle();
+    scene.tools[1].jaw = 1;
+    go(10);
+    scene.tools[1].pose.position.z() += 1 * mm;
+    go(50);
+    EXPECT_EQ(off(world.needle(), there), 0);
+    EXPECT_EQ(count(world, "needle_grasp"), 2u);
+    EXPECT_EQ(count(world, "needle_release"), 2u);
+}
+
+}  // namespace
