@@ -37,8 +37,12 @@ Skin::Skin(const Mesh& rest) : faces_(rest.faces), tetrahedron_(faces_.size()), 
     update(rest.nodes);
 }
 
-Vec3 Skin::in_face(int face, const Vec3& weights) const {
+Vec3 Skin::at_face(int face, const Vec3& weights) const {
     return weights.x() * node(face, 0) + weights.y() * node(face, 1) + weights.z() * node(face, 2);
+}
+
+Vec3 Skin::normal_of_face(int face) const {
+    return (node(face, 1) - node(face, 0)).cross(node(face, 2) - node(face, 0)).normalized();
 }
 
 Vec3 Skin::weights_in_face(int face, const Vec3& point) const {
@@ -47,12 +51,12 @@ Vec3 Skin::weights_in_face(int face, const Vec3& point) const {
 
 void Skin::place(Hole& hole) const {
     const Vec3 edge = node(hole.face, 1) - node(hole.face, 0), along = edge.normalized(), up = edge.cross(node(hole.face, 2) - node(hole.face, 0)).normalized();
-    hole.centre = in_face(hole.face, hole.weights);
+    hole.centre = at_face(hole.face, hole.weights);
     hole.frame << along, up.cross(along), up;
 }
 
 Vec3 Skin::position(int face, const Corner& corner) const {
-    const Vec3 carried = in_face(face, corner.weights);
+    const Vec3 carried = at_face(face, corner.weights);
     if (corner.hole < 0) return carried;
     const Hole& hole = holes_[index(corner.hole)];
     return carried + corner.share * (hole.centre + hole.frame * corner.offset - carried);

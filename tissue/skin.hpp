@@ -30,13 +30,17 @@ class Skin {
     const Triangle& operator[](int triangle) const { return triangles_[index(triangle)]; }
     const Box& box(int triangle) const { return boxes_[index(triangle)]; }
     int face(int triangle) const { return face_[index(triangle)]; }                     ///< That it is part of, of the mesh.
-    Side side(int triangle) const { return faces_[index(face(triangle))].side; }
+    Side side(int triangle) const { return side_of_face(face(triangle)); }
     Vec3 normal(int triangle) const;                                                    ///< Unit, out of the wall; zero without area.
     /// The point of the wall with these weights of the triangle's corners.
     MaterialPoint point(int triangle, const Vec3& weights) const;
     /// The same of a face, none of which a hole displaces.
     MaterialPoint point_of_face(int face, const Vec3& weights) const;
     Vec3 weights_in_face(int face, const Vec3& point) const;                            ///< Of the point of its plane below `point`.
+    Vec3 at_face(int face, const Vec3& weights) const;                                  ///< [m]
+    Vec3 normal_of_face(int face) const;                                                ///< Unit, out of the wall.
+    Side side_of_face(int face) const { return faces_[index(face)].side; }
+    std::span<const Vec3> nodes() const { return nodes_; }                              ///< Of the wall, as last told [m].
 
     int holes() const { return static_cast<int>(holes_.size()); }
     Vec3 centre(int hole) const { return holes_[index(hole)].centre; }                  ///< [m]
@@ -81,7 +85,6 @@ class Skin {
 
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     const Vec3& node(int face, std::size_t k) const { return nodes_[index(faces_[index(face)].nodes[k])]; }
-    Vec3 in_face(int face, const Vec3& weights) const;
     void place(Hole& hole) const;
     Vec3 position(int face, const Corner& corner) const;
     void set_box(std::size_t i);

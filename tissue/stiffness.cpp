@@ -29,6 +29,7 @@ void Tissue::begin_factor() {
     matrix_.clear();
     factored_x_ = x_, factored_free_ = free_, factored_rate_ = rate_, factored_drag_ = drag_;
     for (std::size_t c = 0; c < cells_.size(); ++c) factored_pressure_[c] = pressure(c);
+    factored_stiff_ = stiff_;
     for (const PointForce& force : stiff_) add_stiffness(force);
     assembled_ = 0;
     factoring_ = true;
@@ -101,6 +102,7 @@ void Tissue::go_on_factoring(long work) {
     if (!whole_) return;
     matrix_.use();
     used_volumes_.swap(factored_volumes_);
+    used_stiff_.swap(factored_stiff_);
     have_factors_ = true;
 }
 

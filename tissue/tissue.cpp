@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tissue/by_nodes.hpp"
+
 namespace tissue {
 
 namespace {
@@ -16,12 +18,6 @@ std::vector<std::array<int, 2>> couplings(std::span<const Cells> all) {
     return found;
 }
 
-double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
-}
-
 }  // namespace
 
 Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
@@ -30,9 +26,9 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
     for (const Tetrahedron& tet : rest_.tetrahedra)
         for (const int i : tet) mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);
     const std::size_t n = x_.size();
-    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_})
+    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_, &left_, &next_, &along_way_, &pull_})
         nodes->assign(n, Vec3::Zero());
-    stiff_.reserve(rest_.faces.size());
+    for (std::vector<PointForce>* forces : {&stiff_, &factored_stiff_, &used_stiff_}) forces->reserve(rest_.faces.size());
     free_.assign(n, Vec3::Ones());
     factored_x_ = x_, factored_free_ = free_;
     volumes_.resize(cells_.size()), factored_volumes_ = used_volumes_ = volumes_;
@@ -97,10 +93,6 @@ void Tissue::apply_holds(std::span<const Hold> holds) {
         }
 }
 
-static void share(const Tetrahedron& tet, const std::array<double, 4>& weights, const Vec3& force, std::vector<Vec3>& to) {
-    for (std::size_t k = 0; k < 4; ++k) to[static_cast<std::size_t>(tet[k])] += weights[k] * force;
-}
-
 void Tissue::add_forces(std::span<const PointForce> forces) {
     outside_.assign(x_.size(), Vec3::Zero());
     stiff_.clear();
@@ -135,59 +127,8 @@ void Tissue::find_residual() {
             for (std::size_t k = 0; k < cells.used; ++k) residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(force.x[k], force.y[k], force.z[k]);
         }
     }
-    for (const PointForce& force : stiff_)
-        share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights, -force.lost(carried(force.at, x_) - carried(force.at, before_)), residual_);
+    add_lost(stiff_, -1, x_, residual_), add_lost(stiff_, 1, before_, residual_);
     for (std::size_t i = 0; i < x_.size(); ++i) push_[i] = residual_[i].cwiseProduct(free_[i]);
-}
-
-// Mean gradient of cells, and of the cells about a node, with respect to where nodes were when the stiffness was found: as that is, column by column.
-void Tissue::find_strain() {
-    strain_.assign(x_.size(), {});
-    shared_.assign(x_.size(), 0);
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-        const Cells& cells = cells_[c];
-        const Volumes& then = used_volumes_[c];
-        Lanes x, y, z;
-        for (std::size_t n = 0; n < cells.count; ++n) {
-            const Lanes at = gathered(cells, n, x_);
-            x += then.gradient[n].x * at, y += then.gradient[n].y * at, z += then.gradient[n].z * at;
-        }
-        for (std::size_t k = 0; k < cells.used; ++k) {
-            const Lane own_x(x.x[k], x.y[k], x.z[k], 0), own_y(y.x[k], y.y[k], y.z[k], 0), own_z(z.x[k], z.y[k], z.z[k], 0);
-            for (std::size_t n = 0; n < cells.count; ++n) {
-                const auto i = static_cast<std::size_t>(cells.nodes[n][k]);
-                strain_[i][0] += own_x, strain_[i][1] += own_y, strain_[i][2] += own_z;
-                shared_[i] += then.value[k];
-            }
-        }
-    }
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-        const bool known = free_[i].minCoeff() > 0 && shared_[i] > 0;
-        const double share = known ? 1 / shared_[i] : 0, one = known ? 0 : 1;
-        strain_[i] = {share * strain_[i][0] + Lane(one, 0, 0, 0), share * strain_[i][1] + Lane(0, one, 0, 0), share * strain_[i][2] + Lane(0, 0, one, 0)};
-    }
-}
-
-// Nonlinear conjugate gradients (Polak and Ribiere) with the factored stiffness for a metric. At the lowest point of the last way nothing pushes along it;
-// where something does, the load is new, and the last way may be mere rounding.
-void Tissue::find_way(bool afresh) {
-    find_strain();
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-        const Lane push(push_[i].x(), push_[i].y(), push_[i].z(), 0);
-        solved_[i] = Vec3((strain_[i][0] * push).sum(), (strain_[i][1] * push).sum(), (strain_[i][2] * push).sum());
-    }
-    matrix_.solve(solved_);
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-        const Lane by = strain_[i][0] * solved_[i].x() + strain_[i][1] * solved_[i].y() + strain_[i][2] * solved_[i].z();
-        solved_[i] = Vec3(by[0], by[1], by[2]).cwiseProduct(free_[i]);
-    }
-    const double product = dot(push_, solved_), kept = afresh || last_product_ <= 0 ? 0 : std::max(0.0, (product - dot(last_push_, solved_)) / last_product_);
-    const double carried_on = kept * dot(push_, way_);
-    const bool is_new_load = !(std::abs(carried_on) < 0.5 * product);
-    for (std::size_t i = 0; i < x_.size(); ++i) way_[i] = solved_[i] + (is_new_load ? 0 : kept) * way_[i].cwiseProduct(free_[i]);
-    if (!(dot(push_, way_) > 0)) way_ = solved_;
-    last_push_ = push_;
-    last_product_ = product;
 }
 
 Descent Tissue::energy_along_way() {

@@ -83,6 +83,9 @@ class Tissue {
     void go_along_way(double far);
     void find_way(bool afresh);
     void find_strain();
+    void soften(std::span<const Vec3> push, std::vector<Vec3>& to);
+    void add_lost(std::span<const PointForce> forces, double times, std::span<const Vec3> way, std::vector<Vec3>& to) const;
+    void find_solved();
     Descent energy_along_way();
     void begin_factor();
     void go_on_factoring(long work);
@@ -102,9 +105,10 @@ class Tissue {
     std::vector<double> mass_;                              // of nodes [kg]
     std::vector<Vec3> x_, v_, before_;
     std::vector<Vec3> free_, outside_;                      // 1 along axes on which a node is free, 0 where held; forces from outside
-    std::vector<PointForce> stiff_;                         // of the step's forces
+    std::vector<PointForce> stiff_, factored_stiff_, used_stiff_;  // of the step's forces, of what is being factored, of what solves are with
     std::vector<Vec3> lx_, lx_before_, lway_;               // L times nodes, and times the way
     std::vector<Vec3> residual_, push_, way_, last_push_, solved_;  // push: what of the residual is on free nodes
+    std::vector<Vec3> left_, next_, along_way_, pull_;      // of a solve with other forces than are factored
     std::vector<Volumes> volumes_;
     std::vector<Lane> swelling_;                            // J - 1 of cells
     std::vector<std::array<Lane, 3>> along_;                // coefficients of the volume along the way

@@ -1,0 +1,176 @@
+#include "tissue/bite.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tissue {
+
+namespace {
+
+double angle(double across, double along) {
+    return across == 0 && along == 0 ? 0 : sim::geometry::portable_atan2(std::abs(across), std::abs(along));
+}
+
+// How far along the wire the point of it is that is nearest to `point`: of all turns the one next to `about` [m].
+double place_on(const Arc& arc, const Vec3& point, double about) {
+    const Vec3 out = point - arc.centre;
+    const double x = out.dot(arc.to_tail), y = out.dot(arc.onwards), turn = 2 * EIGEN_PI * arc.radius;
+    if (x == 0 && y == 0) return about;
+    const double place = arc.radius * sim::geometry::portable_atan2(y, x);
+    return place + turn * std::round((about - place) / turn);
+}
+
+}  // namespace
+
+Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), tetrahedra_(rest.tetrahedra) {
+    constexpr std::size_t room = 64;
+    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room);
+}
+
+void Bites::press(const Arc* needle, const Skin& skin) {
+    forces_.clear(), events_.clear();
+    if (!needle) return let_go();
+    const Vec3 tip_before = has_needle_ ? needle_.tip() : needle->tip();
+    needle_ = *needle;
+    has_needle_ = true;
+    follow(skin);
+    if (touch_.active) slide_touch(skin);
+    if (!touch_.active) begin_touch(tip_before, skin);
+    if (touch_.active) {
+        const auto [force, slides] = touch_grip(skin);
+        forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), force, def_.stiffness, slides ? way_of_touch(skin) : Vec3(Vec3::Zero())});
+    }
+    for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
+}
+
+void Bites::settle(Skin& skin) {
+    force_ = Vec3::Zero();
+    if (!has_needle_) return;
+    follow(skin);
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+        const Crossing& crossing = crossings_[i];
+        const double most = friction_of(i), pull = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
+        if (crossing.along >= 0) force_ -= def_.stiffness * aside(crossing, skin) + pull * needle_.tangent(crossing.along);
+    }
+    if (touch_.active) {
+        const Vec3 on_wall = touch_grip(skin).force;
+        force_ -= on_wall;
+        if (on_wall.norm() >= def_.puncture) {
+            const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights), needle_.tangent(needle_.length()), def_.hole);
+            cross(skin, hole, touch_.inwards, touch_.first_normal, on_wall.norm());
+        }
+    }
+    leave_by_tip(skin);
+    leave_by_tail();
+    measure(skin);
+}
+
+// Taken away: what was open stays so, what was only pricked is empty.
+void Bites::let_go() {
+    for (const Crossing& crossing : crossings_) {
+        Bite& bite = of(crossing);
+        if (bite.state == BiteState::pricked) bite.state = BiteState::empty;
+        bite.on_needle = false;
+    }
+    crossings_.clear();
+    touch_.active = has_needle_ = false;
+}
+
+// Where the holes are along the wire now.
+void Bites::follow(const Skin& skin) {
+    for (Crossing& crossing : crossings_) crossing.along = place_on(needle_, skin.centre(crossing.hole), crossing.along);
+}
+
+// Of the wire in the wall, half at each skin; of a bite that is only pricked all at the one.
+double Bites::friction_of(std::size_t i) const {
+    const std::size_t entry = i - i % 2;
+    const bool open = entry + 1 < crossings_.size();
+    const double tail = std::max(0.0, crossings_[entry].along), tip = std::min(needle_.length(), open ? crossings_[entry + 1].along : needle_.length());
+    return def_.friction * std::max(0.0, tip - tail) * (open ? 0.5 : 1);
+}
+
+Vec3 Bites::aside(const Crossing& crossing, const Skin& skin) const {
+    const double place = std::clamp(crossing.along, 0.0, needle_.length());
+    const Vec3 off = needle_.at(place) - skin.centre(crossing.hole), way = needle_.tangent(place);
+    return off - off.dot(way) * way;
+}
+
+// Draws a hole onto the wire, and along with it as far as friction does.
+void Bites::hold(std::size_t i, const Skin& skin) {
+    Crossing& crossing = crossings_[i];
+    if (crossing.along < 0) return;  // the thread's
+    const double most = friction_of(i), reach = most / def_.stiffness, ahead = crossing.held - crossing.along;
+    const bool slides = std::abs(ahead) > reach;
+    if (slides) crossing.held = crossing.along + std::clamp(ahead, -reach, reach);
+    const Vec3 way = needle_.tangent(std::min(crossing.along, needle_.length()));
+    const Vec3 off = aside(crossing, skin), pull = def_.stiffness * (crossing.held - crossing.along) * way;
+    const MaterialPoint at = skin.point_of_hole(crossing.hole);
+    if (!slides) return forces_.push_back({at, def_.stiffness * off + pull, def_.stiffness});
+    const Vec3 across = way.unitOrthogonal(), other = way.cross(across);
+    forces_.push_back({at, def_.stiffness * off.dot(across) * across + pull, def_.stiffness, across});
+    forces_.push_back({at, def_.stiffness * off.dot(other) * other, def_.stiffness, other});
+}
+
+void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force) {
+    touch_.active = false;
+    const double along = place_on(needle_, skin.centre(hole), needle_.length());
+    if (inwards) {
+        Bite bite;
+        if (crossings_.empty()) ++passes_;
+        bite.pass = passes_;
+        const Vec3 tip = needle_.tangent(needle_.length()), cut = normal.cross(needle_.to_tail.cross(needle_.onwards));
+        bite.angle_to_wall = angle(tip.dot(normal), tip.cross(normal).norm());
+        bite.angle_to_axis = angle(cut.cross(def_.axis).norm(), cut.dot(def_.axis));
+        bites_.push_back(bite);
+    }
+    const int number = inwards ? static_cast<int>(bites_.size()) - 1 : crossings_.back().bite;
+    Bite& bite = bites_[static_cast<std::size_t>(number)];
+    (inwards ? bite.entry : bite.exit) = {hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force};
+    if (inwards && !crossings_.empty()) {
+        Bite& last = of(crossings_.back());
+        if (last.exit.side == Side::inner && bite.entry.side == Side::inner) last.both_walls = bite.both_walls = true;
+    }
+    bite.state = inwards ? BiteState::pricked : BiteState::open;
+    crossings_.push_back({number, hole, along, along});
+    events_.push_back({inwards ? BiteEvent::pierced : BiteEvent::through, number, force});
+}
+
+// Once the tip is a hole's radius outside of the hole, so that what trembles at the rim counts once.
+void Bites::leave_by_tip(const Skin&) {
+    while (!crossings_.empty() && crossings_.back().along > needle_.length() + def_.hole) {
+        const bool entry = is_entry(crossings_.size() - 1);
+        Bite& bite = of(crossings_.back());
+        bite.state = entry ? BiteState::empty : BiteState::pricked;
+        if (entry) bite.on_needle = false;
+        events_.push_back({entry ? BiteEvent::withdrawn : BiteEvent::back_in, crossings_.back().bite, 0});
+        crossings_.pop_back();
+        touch_.active = false;
+    }
+}
+
+void Bites::leave_by_tail() {
+    while (crossings_.size() >= 2 && crossings_[0].along < 0 && crossings_[1].along < 0) {
+        of(crossings_[0]).on_needle = false;
+        events_.push_back({BiteEvent::drawn, crossings_[0].bite, 0});
+        crossings_.erase(crossings_.begin(), crossings_.begin() + 2);
+    }
+}
+
+void Bites::measure(const Skin& skin) {
+    constexpr int samples = 8;
+    for (std::size_t i = 0; i < crossings_.size(); i += 2) {
+        const Crossing& entry = crossings_[i];
+        Bite& bite = of(entry);
+        const bool open = i + 1 < crossings_.size();
+        const double end = open ? crossings_[i + 1].along : needle_.length();
+        if (std::min(entry.along, end) < 0) continue;
+        double deepest = 0;
+        for (int k = 0; k <= samples; ++k) {
+            const Vec3 at = needle_.at(entry.along + (end - entry.along) * k / samples);
+            deepest = std::max(deepest, skin.normal_of_hole(entry.hole).dot(skin.centre(entry.hole) - at));
+        }
+        bite.depth = open ? deepest : std::max(bite.depth, deepest);
+    }
+}
+
+}  // namespace tissue

@@ -1,0 +1,135 @@
+#pragma once
+#include "sim/geometry/arc.hpp"
+#include "tissue/skin.hpp"
+#include "tissue/tissue.hpp"
+
+namespace tissue {
+
+using sim::geometry::Arc;
+
+/// How a needle meets a wall. SI.
+struct BiteDef {
+    /// Force at which the tip goes through the skin, out of the wall as into it [N]; by tissue and needle. Does not depend on speed. Tapered tips of 6-0 to
+    /// 8-0 in vessels: 0.05 to 0.5; a soft end that nobody holds goes aside long before.
+    double puncture = 0.05;
+    double friction = 3;           ///< A metre of wire in the wall [N/m]. No source; 2 mm of wall then hold 6 mN.
+    double stiffness = 2000;       ///< Of the contact between needle and wall [N/m]: a newton more presses half a millimetre deeper.
+    double grip = 0.5;             ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
+    double hole = 0.055e-3;        ///< Radius of what is left for the thread, 1.3 times its own [m]: the wall closes about it behind the needle.
+    Vec3 axis = Vec3::UnitX();     ///< The vessel's, unit.
+};
+
+/// Where a needle, or the thread behind it, goes through a skin.
+struct BiteEnd {
+    int hole = -1;                 ///< In the skin; none: -1.
+    MaterialPoint at;
+    Side side = Side::outer;
+    double force = 0;              ///< That pierced it; through an old hole 0 [N].
+};
+
+enum class BiteState {
+    pricked,                       ///< The tip is in the wall.
+    open,                          ///< Through both skins: the needle's wire is in it, or what follows it.
+    empty,                         ///< The needle left the way it came.
+};
+
+/// One way through a wall, from skin to skin.
+struct Bite {
+    BiteState state = BiteState::pricked;
+    BiteEnd entry, exit;
+    double depth = 0;              ///< Of the wire below the skin at the entry, at the deepest [m].
+    double angle_to_wall = 0;      ///< Between needle and skin where the skin was first touched, 0 to a quarter turn [rad].
+    double angle_to_axis = 0;      ///< Between the plane of the needle, where it cuts the skin, and the vessel's axis, 0 to a quarter turn [rad].
+    int pass = 0;                  ///< The same for bites of a needle that did not leave the vessel in between.
+    bool on_needle = true;         ///< The needle has not been drawn through yet; after that it is the thread's.
+    bool both_walls = false;       ///< One pass took this wall and, through the lumen, the one across.
+    bool partial() const {         ///< Does not go from outside to the lumen or back.
+        return state == BiteState::open && !((entry.side == Side::outer && exit.side == Side::inner) || (entry.side == Side::inner && exit.side == Side::outer));
+    }
+};
+
+struct BiteEvent {
+    enum Kind {
+        pierced,                   ///< Into the wall.
+        through,                   ///< Out of it.
+        back_in,                   ///< The needle goes back, its tip is in the wall again.
+        withdrawn,                 ///< It left the way it came.
+        drawn,                     ///< All of it is through.
+    } kind;
+    int bite;
+    double force;                  ///< That pierced a skin [N].
+};
+
+/// A needle's way into, through and out of one vessel's wall, as often as it likes; its bites remain. Before the tip is through a skin it dimples it, or
+/// tents it from within; from then on the wire runs in a channel: the points of the wall where it enters and leaves are drawn onto the arc, and held
+/// along it by friction. Deterministic; nothing is allocated once there is room for forces and bites.
+///
+/// Each step: press(), Tissue::step() with forces(), Skin::update(), settle().
+class Bites {
+  public:
+    Bites(const BiteDef& def, const Mesh& rest);
+
+    /// Where the needle is now; none: nullptr, as when it is taken away, or cut off behind its thread. Some 20 us where the tip is in the vessel's box.
+    void press(const Arc* needle, const Skin& skin);
+    std::span<const PointForce> forces() const { return forces_; }
+    /// What came of it. Opens holes in the skin.
+    void settle(Skin& skin);
+
+    std::span<const Bite> bites() const { return bites_; }
+    std::span<const BiteEvent> events() const { return events_; }  ///< Since press().
+    Vec3 force() const { return force_; }                          ///< On the needle [N].
+    bool tip_is_in_wall() const { return crossings_.size() % 2 == 1; }
+    bool touches() const { return touch_.active; }                 ///< The tip dimples or tents a skin.
+    const BiteDef& def() const { return def_; }
+
+  private:
+    struct Touch {                      // of the tip and a skin that it has not pierced
+        bool active = false, inwards = true;
+        int face = 0;
+        Vec3 weights = Vec3::Zero();    // in the face
+        Vec3 first_normal = Vec3::Zero();
+    };
+    struct Crossing {                   // of the wire and a hole, in the order in which the tip made them
+        int bite, hole;
+        double along;                   // the wire [m]
+        double held;                    // the place of the wire that friction holds it at
+    };
+    struct Grip {
+        Vec3 force;                     // on the wall
+        bool slides;
+    };
+
+    void let_go();
+    void begin_touch(const Vec3& tip_before, const Skin& skin);
+    void touch_at(const Skin& skin, const Skin::Spot& spot);
+    Skin::Spot behind_tip(const Skin& skin) const;
+    int hole_behind_tip(const Skin& skin) const;
+    void slide_touch(const Skin& skin);
+    Vec3 way_of_touch(const Skin& skin) const;
+    Grip touch_grip(const Skin& skin) const;
+    void follow(const Skin& skin);
+    double friction_of(std::size_t crossing) const;
+    Vec3 aside(const Crossing& crossing, const Skin& skin) const;
+    void hold(std::size_t crossing, const Skin& skin);
+    void cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force);
+    void leave_by_tip(const Skin& skin);
+    void leave_by_tail();
+    void measure(const Skin& skin);
+    bool in_wall(const Vec3& point, const Skin& skin) const;
+    bool is_entry(std::size_t crossing) const { return crossing % 2 == 0; }
+    Bite& of(const Crossing& crossing) { return bites_[static_cast<std::size_t>(crossing.bite)]; }
+
+    BiteDef def_;
+    std::vector<Tetrahedron> tetrahedra_;
+    Arc needle_;
+    bool has_needle_ = false;
+    int passes_ = 0;
+    Touch touch_;
+    std::vector<Crossing> crossings_;
+    std::vector<PointForce> forces_;
+    std::vector<Bite> bites_;
+    std::vector<BiteEvent> events_;
+    Vec3 force_ = Vec3::Zero();
+};
+
+}  // namespace tissue

@@ -1,0 +1,109 @@
+// A needle's tip and the skin that it has not pierced yet.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/geometry/closest_points.hpp"
+#include "tissue/bite.hpp"
+
+namespace tissue {
+
+// The way that the wall is pushed.
+Vec3 Bites::way_of_touch(const Skin& skin) const {
+    const Vec3 up = skin.normal_of_face(touch_.face);
+    return touch_.inwards ? Vec3(-up) : up;
+}
+
+// Pressure as deep as the tip has gone past the skin's point, friction up to its share of that.
+Bites::Grip Bites::touch_grip(const Skin& skin) const {
+    const Vec3 way = way_of_touch(skin), off = needle_.tip() - skin.at_face(touch_.face, touch_.weights);
+    const double deep = std::max(0.0, off.dot(way)), most = def_.grip * deep;
+    const Vec3 across = off - off.dot(way) * way;
+    const double far = across.norm();
+    return {def_.stiffness * (deep * way + (far > most ? most / far : 1) * across), far > most};
+}
+
+void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
+    touch_.active = true;
+    touch_.inwards = !tip_is_in_wall();
+    touch_.face = skin.face(spot.triangle);
+    touch_.weights = skin.weights_in_face(touch_.face, spot.at);
+    touch_.first_normal = skin.normal_of_face(touch_.face);
+}
+
+// Drawn after the tip as far as friction does not hold it; over where it has left the wall, or an edge of it.
+void Bites::slide_touch(const Skin& skin) {
+    const Vec3 way = way_of_touch(skin), off = needle_.tip() - skin.at_face(touch_.face, touch_.weights);
+    const double deep = off.dot(way), most = def_.grip * deep;
+    const Vec3 across = off - deep * way;
+    const double far = across.norm();
+    touch_.active = deep > 0;
+    if (!touch_.active || far <= most) return;
+    const Vec3 goal = needle_.tip() - deep * way - most / far * across;
+    const Skin::Spot spot = skin.closest(goal, goal, far + deep, touch_.inwards ? Vec3(-way) : way);
+    touch_.active = spot.triangle >= 0 && spot.distance < deep + def_.hole;
+    if (!touch_.active) return;
+    const Vec3 first = touch_.first_normal;
+    touch_at(skin, spot);
+    touch_.first_normal = first;
+    touch_.active = (needle_.tip() - spot.at).dot(way_of_touch(skin)) > 0;
+}
+
+// Back from the tip along the wire to where it comes through a skin, at most to the last hole: for walls that moved onto it.
+Skin::Spot Bites::behind_tip(const Skin& skin) const {
+    constexpr double length = 2e-3;  // [m], beyond what a needle and a wall move in a step
+    constexpr int pieces = 16;
+    const double tip = needle_.length(), end = std::max({0.0, tip - length, crossings_.empty() ? 0.0 : std::min(tip, crossings_.back().along)});
+    const auto facing = tip_is_in_wall() ? Skin::Facing::along : Skin::Facing::against;
+    Skin::Spot found;
+    for (int k = 0; k < pieces && found.triangle < 0; ++k)
+        found = skin.hit(needle_.at(tip + (end - tip) * (k + 1) / pieces), needle_.at(tip + (end - tip) * k / pieces), facing);
+    return found;
+}
+
+// A hole that the wire goes through next to its tip, as if it were pierced anew.
+int Bites::hole_behind_tip(const Skin& skin) const {
+    const double tip = needle_.length();
+    int best = -1;
+    double nearest = 0;
+    for (int hole = 0; hole < skin.holes(); ++hole) {
+        const bool taken = std::any_of(crossings_.begin(), crossings_.end(), [&](const Crossing& c) { return c.hole == hole; });
+        const double reach = std::min(tip, 4 * skin.radius(hole));
+        const auto pair = sim::geometry::closest_points(needle_.at(tip - reach), needle_.tip(), skin.centre(hole), skin.centre(hole));
+        const bool fits = skin.normal_of_hole(hole).dot(needle_.tangent(tip)) * (tip_is_in_wall() ? 1 : -1) > 0;
+        const double far = pair.distance_squared / (skin.radius(hole) * skin.radius(hole));
+        if (!taken && fits && far < 1.2 && (best < 0 || far < nearest)) best = hole, nearest = far;  // the corners of an octagon are that far out
+    }
+    return best;
+}
+
+void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
+    const bool was_in = tip_is_in_wall();
+    Skin::Spot spot;
+    if (!was_in) spot = skin.hit(tip_before, needle_.tip(), Skin::Facing::against);
+    if (spot.triangle < 0 && in_wall(needle_.tip(), skin) == was_in) return;
+    if (spot.triangle < 0) {
+        const int hole = hole_behind_tip(skin);
+        if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), 0);
+        spot = behind_tip(skin);
+    }
+    if (spot.triangle < 0) spot = skin.closest(needle_.tip(), needle_.tip(), 1e-3);
+    if (spot.triangle >= 0) touch_at(skin, spot);
+}
+
+bool Bites::in_wall(const Vec3& p, const Skin& skin) const {
+    const std::span<const Vec3> nodes = skin.nodes();
+    Box all;
+    for (const Vec3& node : nodes) all.include(node);
+    if (!all.overlaps({p, p})) return false;
+    for (const Tetrahedron& tet : tetrahedra_) {
+        const auto at = [&](std::size_t k) -> const Vec3& { return nodes[static_cast<std::size_t>(tet[k])]; };
+        const Vec3 low = at(0).cwiseMin(at(1)).cwiseMin(at(2)).cwiseMin(at(3)), high = at(0).cwiseMax(at(1)).cwiseMax(at(2)).cwiseMax(at(3));
+        if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;
+        const Vec3 a = at(0) - p, b = at(1) - p, c = at(2) - p, d = at(3) - p;
+        const double v0 = b.dot(c.cross(d)), v1 = -a.dot(c.cross(d)), v2 = a.dot(b.cross(d)), v3 = -a.dot(b.cross(c));
+        if ((v0 >= 0 && v1 >= 0 && v2 >= 0 && v3 >= 0) || (v0 <= 0 && v1 <= 0 && v2 <= 0 && v3 <= 0)) return true;
+    }
+    return false;
+}
+
+}  // namespace tissue
