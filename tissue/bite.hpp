@@ -10,11 +10,11 @@ using sim::geometry::Arc;
 /// How a needle meets a wall. SI.
 struct BiteDef {
     /// Force at which the tip goes through the skin, out of the wall as into it [N]; by tissue and needle. Does not depend on speed. Tapered tips of 6-0 to
-    /// 8-0 in vessels: 0.05 to 0.5; a soft end that nobody holds goes aside long before.
+    /// 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds caves in at 4 mN: it needs something held against it, or a sharper needle.
     double puncture = 0.05;
     double friction = 3;           ///< A metre of wire in the wall [N/m]. No source; 2 mm of wall then hold 6 mN.
     double stiffness = 2000;       ///< Of the contact between needle and wall [N/m]: a newton more presses half a millimetre deeper.
-    double grip = 0.5;             ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
+    double grip = 1;             ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
     double hole = 0.055e-3;        ///< Radius of what is left for the thread, 1.3 times its own [m]: the wall closes about it behind the needle.
     Vec3 axis = Vec3::UnitX();     ///< The vessel's, unit.
 };
@@ -94,10 +94,6 @@ class Bites {
         double along;                   // the wire [m]
         double held;                    // the place of the wire that friction holds it at
     };
-    struct Grip {
-        Vec3 force;                     // on the wall
-        bool slides;
-    };
 
     void let_go();
     void begin_touch(const Vec3& tip_before, const Skin& skin);
@@ -106,16 +102,16 @@ class Bites {
     int hole_behind_tip(const Skin& skin) const;
     void slide_touch(const Skin& skin);
     Vec3 way_of_touch(const Skin& skin) const;
-    Grip touch_grip(const Skin& skin) const;
+    Vec3 touch_force(const Skin& skin) const;  // on the wall
     void follow(const Skin& skin);
     double friction_of(std::size_t crossing) const;
     Vec3 aside(const Crossing& crossing, const Skin& skin) const;
     void hold(std::size_t crossing, const Skin& skin);
     void cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force);
-    void leave_by_tip(const Skin& skin);
+    void leave_by_tip();
+    bool is_at_last_hole() const;
     void leave_by_tail();
     void measure(const Skin& skin);
-    bool in_wall(const Vec3& point, const Skin& skin) const;
     bool is_entry(std::size_t crossing) const { return crossing % 2 == 0; }
     Bite& of(const Crossing& crossing) { return bites_[static_cast<std::size_t>(crossing.bite)]; }
 

@@ -14,12 +14,12 @@ Vec3 Bites::way_of_touch(const Skin& skin) const {
 }
 
 // Pressure as deep as the tip has gone past the skin's point, friction up to its share of that.
-Bites::Grip Bites::touch_grip(const Skin& skin) const {
+Vec3 Bites::touch_force(const Skin& skin) const {
     const Vec3 way = way_of_touch(skin), off = needle_.tip() - skin.at_face(touch_.face, touch_.weights);
     const double deep = std::max(0.0, off.dot(way)), most = def_.grip * deep;
     const Vec3 across = off - off.dot(way) * way;
     const double far = across.norm();
-    return {def_.stiffness * (deep * way + (far > most ? most / far : 1) * across), far > most};
+    return def_.stiffness * (deep * way + (far > most ? most / far : 1) * across);
 }
 
 void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
@@ -80,7 +80,7 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     const bool was_in = tip_is_in_wall();
     Skin::Spot spot;
     if (!was_in) spot = skin.hit(tip_before, needle_.tip(), Skin::Facing::against);
-    if (spot.triangle < 0 && in_wall(needle_.tip(), skin) == was_in) return;
+    if (spot.triangle < 0 && is_in_wall(tetrahedra_, skin.nodes(), needle_.tip()) == was_in) return;
     if (spot.triangle < 0) {
         const int hole = hole_behind_tip(skin);
         if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), 0);
@@ -88,22 +88,6 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     }
     if (spot.triangle < 0) spot = skin.closest(needle_.tip(), needle_.tip(), 1e-3);
     if (spot.triangle >= 0) touch_at(skin, spot);
-}
-
-bool Bites::in_wall(const Vec3& p, const Skin& skin) const {
-    const std::span<const Vec3> nodes = skin.nodes();
-    Box all;
-    for (const Vec3& node : nodes) all.include(node);
-    if (!all.overlaps({p, p})) return false;
-    for (const Tetrahedron& tet : tetrahedra_) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return nodes[static_cast<std::size_t>(tet[k])]; };
-        const Vec3 low = at(0).cwiseMin(at(1)).cwiseMin(at(2)).cwiseMin(at(3)), high = at(0).cwiseMax(at(1)).cwiseMax(at(2)).cwiseMax(at(3));
-        if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;
-        const Vec3 a = at(0) - p, b = at(1) - p, c = at(2) - p, d = at(3) - p;
-        const double v0 = b.dot(c.cross(d)), v1 = -a.dot(c.cross(d)), v2 = a.dot(b.cross(d)), v3 = -a.dot(b.cross(c));
-        if ((v0 >= 0 && v1 >= 0 && v2 >= 0 && v3 >= 0) || (v0 <= 0 && v1 <= 0 && v2 <= 0 && v3 <= 0)) return true;
-    }
-    return false;
 }
 
 }  // namespace tissue

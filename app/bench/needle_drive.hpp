@@ -18,11 +18,13 @@ struct Stitching {
     static constexpr double step = 2e-3;                      ///< [s]
 
     /// The far end is held, and the half of the cut end that is below, y < 0.
-    explicit Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube = {});
+    explicit Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube = {}, const tissue::Solver& solver = {});
     /// One step with the needle there; none: nullptr.
     void go(const tissue::Arc* needle);
-    /// How far holes that the needle is in, if it is, are off its wire at most [m].
-    double off_wire(const tissue::Arc& needle) const;
+    /// How far the wall is off its rest at most where the needle goes through its skins, across the wire [m].
+    double moved_aside(const tissue::Arc& needle) const;
+    /// Whether any of the needle is in the wall.
+    bool is_in_wall(const tissue::Arc& needle) const;
 
     tissue::Mesh mesh;
     tissue::Tissue tissue;
