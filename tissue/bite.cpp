@@ -35,9 +35,9 @@ void Bites::press(const Arc* needle, const Skin& skin) {
     has_needle_ = true;
     follow(skin);
     leave_by_tip();
-    if (touch_.active) slide_touch(skin);
+    if (touch_.active) advance_touch(), slide_touch(skin);
     if (!touch_.active && !is_at_last_hole()) begin_touch(tip_before, skin);
-    if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.stiffness});
+    if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
     for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
 }
 
@@ -50,14 +50,7 @@ void Bites::settle(Skin& skin) {
         const double most = friction_of(i), pull = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
         if (crossing.along >= 0) force_ -= def_.stiffness * aside(crossing, skin) + pull * needle_.tangent(crossing.along);
     }
-    if (touch_.active) {
-        const Vec3 on_wall = touch_force(skin);
-        force_ -= on_wall;
-        if (on_wall.norm() >= def_.puncture) {
-            const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights), needle_.tangent(needle_.length()), def_.hole);
-            cross(skin, hole, touch_.inwards, touch_.first_normal, on_wall.norm());
-        }
-    }
+    if (touch_.active) settle_touch(skin);
     leave_by_tip();
     leave_by_tail();
     measure(skin);
