@@ -34,12 +34,10 @@ void Bites::press(const Arc* needle, const Skin& skin) {
     needle_ = *needle;
     has_needle_ = true;
     follow(skin);
-    if (touch_.active) slide_touch(skin);
-    if (!touch_.active) begin_touch(tip_before, skin);
-    if (touch_.active) {
-        const auto [force, slides] = touch_grip(skin);
-        forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), force, def_.stiffness, slides ? way_of_touch(skin) : Vec3(Vec3::Zero())});
-    }
+    leave_by_tip();
+    if (touch_.active) advance_touch(), slide_touch(skin);
+    if (!touch_.active && !is_at_last_hole()) begin_touch(tip_before, skin);
+    if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
     for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
 }
 
@@ -52,15 +50,8 @@ void Bites::settle(Skin& skin) {
         const double most = friction_of(i), pull = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
         if (crossing.along >= 0) force_ -= def_.stiffness * aside(crossing, skin) + pull * needle_.tangent(crossing.along);
     }
-    if (touch_.active) {
-        const Vec3 on_wall = touch_grip(skin).force;
-        force_ -= on_wall;
-        if (on_wall.norm() >= def_.puncture) {
-            const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights), needle_.tangent(needle_.length()), def_.hole);
-            cross(skin, hole, touch_.inwards, touch_.first_normal, on_wall.norm());
-        }
-    }
-    leave_by_tip(skin);
+    if (touch_.active) settle_touch(skin);
+    leave_by_tip();
     leave_by_tail();
     measure(skin);
 }
@@ -95,20 +86,15 @@ Vec3 Bites::aside(const Crossing& crossing, const Skin& skin) const {
     return off - off.dot(way) * way;
 }
 
-// Draws a hole onto the wire, and along with it as far as friction does.
+// Draws a hole onto the wire, and along with it as far as friction does. Its stiffness counts even where it slides: what is drawn along gives way before it is
+// drawn too far.
 void Bites::hold(std::size_t i, const Skin& skin) {
     Crossing& crossing = crossings_[i];
     if (crossing.along < 0) return;  // the thread's
-    const double most = friction_of(i), reach = most / def_.stiffness, ahead = crossing.held - crossing.along;
-    const bool slides = std::abs(ahead) > reach;
-    if (slides) crossing.held = crossing.along + std::clamp(ahead, -reach, reach);
-    const Vec3 way = needle_.tangent(std::min(crossing.along, needle_.length()));
-    const Vec3 off = aside(crossing, skin), pull = def_.stiffness * (crossing.held - crossing.along) * way;
-    const MaterialPoint at = skin.point_of_hole(crossing.hole);
-    if (!slides) return forces_.push_back({at, def_.stiffness * off + pull, def_.stiffness});
-    const Vec3 across = way.unitOrthogonal(), other = way.cross(across);
-    forces_.push_back({at, def_.stiffness * off.dot(across) * across + pull, def_.stiffness, across});
-    forces_.push_back({at, def_.stiffness * off.dot(other) * other, def_.stiffness, other});
+    const double reach = friction_of(i) / def_.stiffness;
+    crossing.held = crossing.along + std::clamp(crossing.held - crossing.along, -reach, reach);
+    const Vec3 pull = (crossing.held - crossing.along) * needle_.tangent(std::min(crossing.along, needle_.length()));
+    forces_.push_back({skin.point_of_hole(crossing.hole), def_.stiffness * (aside(crossing, skin) + pull), def_.stiffness});
 }
 
 void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force) {
@@ -125,7 +111,8 @@ void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, 
     }
     const int number = inwards ? static_cast<int>(bites_.size()) - 1 : crossings_.back().bite;
     Bite& bite = bites_[static_cast<std::size_t>(number)];
-    (inwards ? bite.entry : bite.exit) = {hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force};
+    BiteEnd& end = inwards ? bite.entry : bite.exit;
+    end = BiteEnd{hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force};
     if (inwards && !crossings_.empty()) {
         Bite& last = of(crossings_.back());
         if (last.exit.side == Side::inner && bite.entry.side == Side::inner) last.both_walls = bite.both_walls = true;
@@ -136,7 +123,7 @@ void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, 
 }
 
 // Once the tip is a hole's radius outside of the hole, so that what trembles at the rim counts once.
-void Bites::leave_by_tip(const Skin&) {
+void Bites::leave_by_tip() {
     while (!crossings_.empty() && crossings_.back().along > needle_.length() + def_.hole) {
         const bool entry = is_entry(crossings_.size() - 1);
         Bite& bite = of(crossings_.back());
@@ -146,6 +133,11 @@ void Bites::leave_by_tip(const Skin&) {
         crossings_.pop_back();
         touch_.active = false;
     }
+}
+
+// As long as the tip is in its last hole, give or take a hole's radius, it touches no other skin.
+bool Bites::is_at_last_hole() const {
+    return !crossings_.empty() && crossings_.back().along > needle_.length() - def_.hole;
 }
 
 void Bites::leave_by_tail() {

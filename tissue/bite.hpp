@@ -10,11 +10,14 @@ using sim::geometry::Arc;
 /// How a needle meets a wall. SI.
 struct BiteDef {
     /// Force at which the tip goes through the skin, out of the wall as into it [N]; by tissue and needle. Does not depend on speed. Tapered tips of 6-0 to
-    /// 8-0 in vessels: 0.05 to 0.5; a soft end that nobody holds goes aside long before.
-    double puncture = 0.05;
-    double friction = 3;           ///< A metre of wire in the wall [N/m]. No source; 2 mm of wall then hold 6 mN.
-    double stiffness = 2000;       ///< Of the contact between needle and wall [N/m]: a newton more presses half a millimetre deeper.
-    double grip = 0.5;             ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
+    /// 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds caves in at 5 mN: it needs something held against it, or a sharper needle.
+    double puncture = 3e-3;
+    double friction = 1;           ///< A metre of wire in the wall [N/m]. No source; much more, and a soft free end is drawn along instead of through.
+    double stiffness = 500;        ///< Of the wall about the wire, across it, and of what friction holds [N/m].
+    /// Of the dimple that the mesh does not resolve [N/m]. A cone of 10 degrees each side goes in deeper still (Sneddon: 2/pi E / (1 - nu^2) d^2 tan 10, 25 N/m
+    /// at 10 mN in 0.1 MPa); stiffer, a quick needle's step of 40 um overshoots the threshold.
+    double tip_stiffness = 120;
+    double grip = 1;               ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
     double hole = 0.055e-3;        ///< Radius of what is left for the thread, 1.3 times its own [m]: the wall closes about it behind the needle.
     Vec3 axis = Vec3::UnitX();     ///< The vessel's, unit.
 };
@@ -88,15 +91,14 @@ class Bites {
         int face = 0;
         Vec3 weights = Vec3::Zero();    // in the face
         Vec3 first_normal = Vec3::Zero();
+        Vec3 tip = Vec3::Zero();        // of the needle; in the step in which the skin gives way, as far as it does
+        double force = 0, gone = 0, gain = 0;  // [N], how far the tip went in a step [m], and how much force that added a metre
+        bool gives_way = false;
     };
     struct Crossing {                   // of the wire and a hole, in the order in which the tip made them
         int bite, hole;
         double along;                   // the wire [m]
         double held;                    // the place of the wire that friction holds it at
-    };
-    struct Grip {
-        Vec3 force;                     // on the wall
-        bool slides;
     };
 
     void let_go();
@@ -104,18 +106,20 @@ class Bites {
     void touch_at(const Skin& skin, const Skin::Spot& spot);
     Skin::Spot behind_tip(const Skin& skin) const;
     int hole_behind_tip(const Skin& skin) const;
+    void advance_touch();
     void slide_touch(const Skin& skin);
     Vec3 way_of_touch(const Skin& skin) const;
-    Grip touch_grip(const Skin& skin) const;
+    Vec3 touch_force(const Skin& skin) const;  // on the wall
+    void settle_touch(Skin& skin);
     void follow(const Skin& skin);
     double friction_of(std::size_t crossing) const;
     Vec3 aside(const Crossing& crossing, const Skin& skin) const;
     void hold(std::size_t crossing, const Skin& skin);
     void cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force);
-    void leave_by_tip(const Skin& skin);
+    void leave_by_tip();
+    bool is_at_last_hole() const;
     void leave_by_tail();
     void measure(const Skin& skin);
-    bool in_wall(const Vec3& point, const Skin& skin) const;
     bool is_entry(std::size_t crossing) const { return crossing % 2 == 0; }
     Bite& of(const Crossing& crossing) { return bites_[static_cast<std::size_t>(crossing.bite)]; }
 

@@ -14,38 +14,58 @@ Vec3 Bites::way_of_touch(const Skin& skin) const {
 }
 
 // Pressure as deep as the tip has gone past the skin's point, friction up to its share of that.
-Bites::Grip Bites::touch_grip(const Skin& skin) const {
-    const Vec3 way = way_of_touch(skin), off = needle_.tip() - skin.at_face(touch_.face, touch_.weights);
+Vec3 Bites::touch_force(const Skin& skin) const {
+    const Vec3 way = way_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
     const double deep = std::max(0.0, off.dot(way)), most = def_.grip * deep;
     const Vec3 across = off - off.dot(way) * way;
     const double far = across.norm();
-    return {def_.stiffness * (deep * way + (far > most ? most / far : 1) * across), far > most};
+    return def_.tip_stiffness * (deep * way + (far > most ? most / far : 1) * across);
 }
 
 void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
-    touch_.active = true;
-    touch_.inwards = !tip_is_in_wall();
-    touch_.face = skin.face(spot.triangle);
-    touch_.weights = skin.weights_in_face(touch_.face, spot.at);
-    touch_.first_normal = skin.normal_of_face(touch_.face);
+    const int face = skin.face(spot.triangle);
+    touch_ = {.active = true, .inwards = !tip_is_in_wall(), .face = face, .weights = skin.weights_in_face(face, spot.at), .first_normal = skin.normal_of_face(face), .tip = needle_.tip()};
+}
+
+// As far as the needle's tip, or where the last step foretells that the skin gives way: a quick needle's step would go far beyond.
+void Bites::advance_touch() {
+    const Vec3 way = needle_.tip() - touch_.tip;
+    const double far = way.norm(), more = touch_.gain * far, lacks = def_.puncture - touch_.force;
+    touch_.gives_way = more > lacks;
+    const double share = touch_.gives_way ? lacks / more : 1;
+    touch_.tip += share * way;
+    touch_.gone = share * far;
+}
+
+void Bites::settle_touch(Skin& skin) {
+    const Vec3 on_wall = touch_force(skin);
+    const double force = on_wall.norm();
+    force_ -= on_wall;
+    constexpr double nearly = 0.9;  // more is lacking where the wall gives way instead
+    if (force < def_.puncture && !(touch_.gives_way && force > nearly * def_.puncture)) {
+        if (touch_.gone > 0 && !touch_.gives_way) touch_.gain = std::max(0.0, force - touch_.force) / touch_.gone;
+        touch_.force = force;
+        return;
+    }
+    const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights), needle_.tangent(needle_.length()), def_.hole);
+    cross(skin, hole, touch_.inwards, touch_.first_normal, force);
 }
 
 // Drawn after the tip as far as friction does not hold it; over where it has left the wall, or an edge of it.
 void Bites::slide_touch(const Skin& skin) {
-    const Vec3 way = way_of_touch(skin), off = needle_.tip() - skin.at_face(touch_.face, touch_.weights);
+    const Vec3 way = way_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
     const double deep = off.dot(way), most = def_.grip * deep;
     const Vec3 across = off - deep * way;
     const double far = across.norm();
     touch_.active = deep > 0;
     if (!touch_.active || far <= most) return;
-    const Vec3 goal = needle_.tip() - deep * way - most / far * across;
+    const Vec3 goal = touch_.tip - deep * way - most / far * across;
     const Skin::Spot spot = skin.closest(goal, goal, far + deep, touch_.inwards ? Vec3(-way) : way);
     touch_.active = spot.triangle >= 0 && spot.distance < deep + def_.hole;
     if (!touch_.active) return;
-    const Vec3 first = touch_.first_normal;
-    touch_at(skin, spot);
-    touch_.first_normal = first;
-    touch_.active = (needle_.tip() - spot.at).dot(way_of_touch(skin)) > 0;
+    touch_.face = skin.face(spot.triangle);
+    touch_.weights = skin.weights_in_face(touch_.face, spot.at);
+    touch_.active = (touch_.tip - spot.at).dot(way_of_touch(skin)) > 0;
 }
 
 // Back from the tip along the wire to where it comes through a skin, at most to the last hole: for walls that moved onto it.
@@ -80,7 +100,7 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     const bool was_in = tip_is_in_wall();
     Skin::Spot spot;
     if (!was_in) spot = skin.hit(tip_before, needle_.tip(), Skin::Facing::against);
-    if (spot.triangle < 0 && in_wall(needle_.tip(), skin) == was_in) return;
+    if (spot.triangle < 0 && is_in_wall(tetrahedra_, skin.nodes(), needle_.tip()) == was_in) return;
     if (spot.triangle < 0) {
         const int hole = hole_behind_tip(skin);
         if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), 0);
@@ -88,22 +108,6 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     }
     if (spot.triangle < 0) spot = skin.closest(needle_.tip(), needle_.tip(), 1e-3);
     if (spot.triangle >= 0) touch_at(skin, spot);
-}
-
-bool Bites::in_wall(const Vec3& p, const Skin& skin) const {
-    const std::span<const Vec3> nodes = skin.nodes();
-    Box all;
-    for (const Vec3& node : nodes) all.include(node);
-    if (!all.overlaps({p, p})) return false;
-    for (const Tetrahedron& tet : tetrahedra_) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return nodes[static_cast<std::size_t>(tet[k])]; };
-        const Vec3 low = at(0).cwiseMin(at(1)).cwiseMin(at(2)).cwiseMin(at(3)), high = at(0).cwiseMax(at(1)).cwiseMax(at(2)).cwiseMax(at(3));
-        if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;
-        const Vec3 a = at(0) - p, b = at(1) - p, c = at(2) - p, d = at(3) - p;
-        const double v0 = b.dot(c.cross(d)), v1 = -a.dot(c.cross(d)), v2 = a.dot(b.cross(d)), v3 = -a.dot(b.cross(c));
-        if ((v0 >= 0 && v1 >= 0 && v2 >= 0 && v3 >= 0) || (v0 <= 0 && v1 <= 0 && v2 <= 0 && v3 <= 0)) return true;
-    }
-    return false;
 }
 
 }  // namespace tissue

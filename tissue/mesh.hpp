@@ -35,6 +35,9 @@ inline double volume(const Tetrahedron& tet, std::span<const Vec3> nodes) {
     return (at(1) - at(0)).dot((at(2) - at(0)).cross(at(3) - at(0))) / 6;
 }
 
+/// Whether a point is in any of these. 15 us for 2300 that it is next to, 1 us where it is in no box about all nodes.
+bool is_in_wall(std::span<const Tetrahedron> tetrahedra, std::span<const Vec3> nodes, const Vec3& point);
+
 /// A point that moves with the wall.
 struct MaterialPoint {
     int tetrahedron = 0;

@@ -15,14 +15,17 @@ struct Swing {
 
 /// Wall, skin and bites stepped together.
 struct Stitching {
-    static constexpr double step = 2e-3;                      ///< [s]
+    double step = 2e-3;                                       ///< [s]
 
     /// The far end is held, and the half of the cut end that is below, y < 0.
-    explicit Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube = {});
+    explicit Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube = {}, const tissue::Solver& solver = {});
     /// One step with the needle there; none: nullptr.
     void go(const tissue::Arc* needle);
-    /// How far holes that the needle is in, if it is, are off its wire at most [m].
-    double off_wire(const tissue::Arc& needle) const;
+    /// Whether any of the needle is in the wall.
+    bool is_in_wall(const tissue::Arc& needle) const;
+
+    /// Forceps in the lumen: holds the inside of the wall above, for three quarters of the length.
+    void support();
 
     tissue::Mesh mesh;
     tissue::Tissue tissue;
@@ -30,5 +33,14 @@ struct Stitching {
     tissue::Bites bites;
     std::vector<tissue::Hold> holds;
 };
+
+/// A needle driven along its own arc, at `speed` [m/s], from outside into the lumen at some 1.5 mm from the cut, and all the way through.
+struct Driven {
+    double entry = 0, exit = 0;                               ///< Forces that the skins gave way at [N]; none: 0.
+    double aside = 0;                                         ///< How far the wall moves at most across the wire at its holes from 50 ms after both are open [m].
+    double off = 0;                                           ///< How far where it was pierced is off the wire's circle, when nothing pulls [m].
+    bool drawn = false;                                       ///< All of it is through.
+};
+Driven drive_through(const tissue::BiteDef& def, const tissue::TubeDef& tube, double speed, bool supported);
 
 }  // namespace app::bench

@@ -6,6 +6,7 @@
 
 #include "app/bench/core.hpp"
 #include "app/bench/gauge.hpp"
+#include "app/bench/needle_drive.hpp"
 #include "app/bench/tissue_cases.hpp"
 #include "app/bench/tissue_pull.hpp"
 
@@ -142,6 +143,35 @@ void add_steps(Suite& suite, double finer, double force, const Setting& setting,
     add("-over-newton", "mean step over one of Newton's method until it converges", mean / exact_mean, "ratio");
 }
 
+// Threshold of the skin against a finger in the lumen, where the wall cannot give way at large; and D24, the wall free, driven all through.
+void add_needle(Suite& suite, bool quick) {
+    const struct {
+        const char* name;
+        tissue::TubeDef tube;
+    } meshes[] = {{"n12", {.around = 12, .through = 1, .near = 6, .far = 3}}, {"n16", {}}, {"n24", {.around = 24, .through = 3, .near = 12, .far = 6}}};
+    const auto mm = [](double speed) { return whole(1000 * speed); };
+    for (const auto& [name, tube] : meshes)
+        for (const double speed : {1e-3, 5e-3, 20e-3}) {
+            if (quick && tube.around == 24 && speed < 5e-3) continue;
+            constexpr double puncture = 10e-3;
+            suite.rows.push_back(row_of(std::string("puncture-") + name + "-" + mm(speed), std::string("needle at ") + mm(speed) + " mm/s, " + whole(tube.around) + " cells around: force at which the skin gave way off its threshold", "%",
+                [&, t = tube] { return 100 * std::abs(drive_through({.puncture = puncture}, t, speed, true).entry / puncture - 1); }, 10));
+        }
+    for (const double speed : {1e-3, 5e-3, 20e-3}) {
+        const double begin = processor_time(), wire = 2e6 * Swing{}.wire;
+        const Driven driven = drive_through({}, {}, speed, false);
+        const double seconds = processor_time() - begin;
+        const auto add = [&](const char* id, const char* what, double value, const char* unit, std::optional<double> bound, Must must = Must::be_at_most) {
+            suite.rows.push_back({.id = "needle-" + std::string(id) + "-" + mm(speed), .what = "needle driven along its arc at " + mm(speed) + " mm/s through a free end: " + what, .value = value, .unit = unit, .bound = bound, .must = must, .error = {}, .seconds = seconds});
+        };
+        add("aside", "way of the wall across the wire where its holes are, in wires", driven.drawn ? 1e6 * driven.aside / wire : 1, "wires", 0.1);
+        add("off", "where it was pierced lies off the arc when nothing pulls, in wires", 1e6 * driven.off / wire, "wires", {});
+        add("entry", "force at which the outer skin gave way off its threshold", 100 * std::abs(driven.entry / tissue::BiteDef{}.puncture - 1), "%", {});
+        add("exit", "force at which the inner skin gave way off its threshold", 100 * std::abs(driven.exit / tissue::BiteDef{}.puncture - 1), "%", {});
+        add("drawn", "all of it through, 1", driven.drawn, "count", 1, Must::be_at_least);
+    }
+}
+
 void add_stiff(Suite& suite) {
     for (const int forces : {0, 10, 100})
         suite.rows.push_back(row_of("stiff-" + std::to_string(forces), "mean step of 2 ms with " + std::to_string(forces) + " stiff forces", "us", [&] { return stiff_step(forces); }));
@@ -181,6 +211,8 @@ Suite tissue_suite(bool quick, const Progress& progress) {
     add_edge(suite, quick);
     at("cells far from the cut");
     add_far(suite);
+    at("needle");
+    add_needle(suite, quick);
     at("stiff forces");
     add_stiff(suite);
     at("steps");

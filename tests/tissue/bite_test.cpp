@@ -1,0 +1,205 @@
+#include "tissue/bite.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "app/bench/needle_drive.hpp"
+#include "app/bench/random.hpp"
+
+namespace {
+
+using namespace tissue;
+using app::bench::Stitching;
+using app::bench::Swing;
+
+constexpr double speed = 20e-3;
+const Swing down_and_out{{1.53e-3, 2.02e-3, 0.07e-3}, Vec3(-0.5, -1, 0).normalized(), Vec3(-1, 0.5, 0).normalized()};  // from outside, towards the cut
+
+// Events as letters, of each bite: pierced, through, back in (<), withdrawn, drawn. From one place of the tip along its way to another [m].
+using Log = std::map<int, std::string>;
+void swing(Stitching& scene, const Swing& needle, double from, double to, Log& log, double at = speed) {
+    const int steps = static_cast<int>(std::abs(to - from) / (at * scene.step));
+    for (int i = 0; i <= steps; ++i) {
+        const Arc arc = needle.at((from + (to - from) * i / std::max(1, steps)) / needle.radius);
+        scene.go(&arc);
+        ASSERT_TRUE(scene.bites.force().allFinite());
+        for (const BiteEvent& event : scene.bites.events()) log[event.bite] += "pt<wd"[event.kind];
+    }
+}
+
+double off_rest(const Stitching& scene) {
+    double most = 0;
+    for (std::size_t i = 0; i < scene.mesh.nodes.size(); ++i) most = std::max(most, (scene.tissue.nodes()[i] - scene.mesh.nodes[i]).norm());
+    return most;
+}
+
+// `carrel bench tissue` has three speeds and three meshes.
+TEST(Bites, PierceAtTheirThreshold) {
+    EXPECT_NEAR(app::bench::drive_through({.puncture = 10e-3}, {}, 5e-3, true).entry / 10e-3, 1, 0.1);
+}
+
+// D24.
+TEST(Bites, DoNotMoveTheWallAsideAlongTheNeedlesOwnArc) {
+    const auto driven = app::bench::drive_through({}, {}, speed, false);
+    EXPECT_TRUE(driven.drawn);
+    EXPECT_LT(driven.aside, 0.1 * 2 * Swing{}.wire);
+}
+
+TEST(Bites, KnowWhereTheyWere) {
+    Stitching scene({});
+    Log log;
+    swing(scene, down_and_out, -0.1e-3, 3e-3, log);
+    ASSERT_EQ(scene.bites.bites().size(), 1u);
+    const Bite& bite = scene.bites.bites()[0];
+    EXPECT_EQ(log[0], "pt");
+    EXPECT_EQ(bite.state, BiteState::open);
+    EXPECT_EQ(bite.entry.side, Side::outer);
+    EXPECT_EQ(bite.exit.side, Side::inner);
+    EXPECT_FALSE(bite.partial());
+    EXPECT_FALSE(bite.both_walls);
+    EXPECT_NEAR(bite.angle_to_wall, std::atan(2.0), 0.2);   // of a cylinder; this one has sixteen sides
+    EXPECT_LT(bite.angle_to_axis, 0.05);
+    EXPECT_NEAR(bite.depth, 0.5e-3, 0.05e-3);               // of the wall
+    EXPECT_EQ(scene.skin.holes(), 2);
+}
+
+// Friction holds the wall back and lets go of it: no more than its share of the wire within, and the wall comes back when the needle is through.
+TEST(Bites, HoldTheWallByFrictionAlone) {
+    Stitching scene({.friction = 2});
+    Log log;
+    swing(scene, down_and_out, -0.1e-3, 4e-3, log);
+    const double inside = 0.75e-3;                           // of wire: the wall's 0.5 mm aslant, and what bends along
+    EXPECT_GT(scene.bites.force().norm(), 0.5 * 2 * inside);
+    EXPECT_LT(scene.bites.force().norm(), 1.2 * 2 * inside);
+    swing(scene, down_and_out, 4e-3, down_and_out.radius * down_and_out.angle + 2e-3, log);
+    EXPECT_EQ(log[0], "ptd");
+    EXPECT_EQ(scene.bites.force().norm(), 0);
+    for (int i = 0; i < 250; ++i) scene.go(nullptr);
+    EXPECT_LT(off_rest(scene), 5e-6);
+    EXPECT_FALSE(scene.bites.bites()[0].on_needle);
+    EXPECT_EQ(scene.bites.bites()[0].state, BiteState::open);
+}
+
+// Out and in by the outer side: a bite in the wall's thickness.
+TEST(Bites, TellPartialThickness) {
+    Stitching scene({.puncture = 1e-3});
+    const Swing shallow{{2e-3, 1.85e-3, -0.6e-3}, Vec3(0, -0.3, 1).normalized(), Vec3(0, 1, 0.3).normalized(), 1.6e-3, 2.3};
+    Log log;
+    swing(scene, shallow, -0.8e-3, 3e-3, log);
+    ASSERT_EQ(scene.bites.bites().size(), 1u);
+    EXPECT_EQ(log[0], "pt");
+    EXPECT_EQ(scene.bites.bites()[0].exit.side, Side::outer);
+    EXPECT_TRUE(scene.bites.bites()[0].partial());
+    EXPECT_NEAR(scene.bites.bites()[0].angle_to_axis, std::numbers::pi / 2, 0.1);
+}
+
+// Through the lumen and the wall across: two bites of one pass.
+TEST(Bites, TellBothWalls) {
+    Stitching scene({.puncture = 2e-3});
+    const Swing deep{{2e-3, 2.02e-3, 0.1e-3}, Vec3(-0.1, -1, 0).normalized(), Vec3(-1, 0.1, 0).normalized(), 8.28e-3, 3.1};
+    Log log;
+    swing(scene, deep, -0.1e-3, 7e-3, log);
+    ASSERT_EQ(scene.bites.bites().size(), 2u);
+    EXPECT_EQ(log[0], "pt");
+    EXPECT_EQ(log[1], "pt");
+    EXPECT_EQ(scene.bites.bites()[1].entry.side, Side::inner);
+    EXPECT_EQ(scene.bites.bites()[1].exit.side, Side::outer);
+    for (const Bite& bite : scene.bites.bites()) {
+        EXPECT_TRUE(bite.both_walls);
+        EXPECT_EQ(bite.pass, 1);
+    }
+}
+
+// E16: backwards through its own holes, then again: a prick, a bite left the way it came, and one that stays.
+TEST(Bites, GoBackAndBeginAgain) {
+    Stitching scene({});
+    Log log;
+    swing(scene, down_and_out, -0.1e-3, 0.5e-3, log);
+    swing(scene, down_and_out, 0.5e-3, -0.5e-3, log);
+    EXPECT_EQ(log[0], "pw");
+    EXPECT_EQ(scene.bites.bites()[0].state, BiteState::empty);
+    EXPECT_EQ(scene.bites.force().norm(), 0);
+    swing(scene, down_and_out, -0.5e-3, 3e-3, log);
+    swing(scene, down_and_out, 3e-3, -0.5e-3, log);
+    EXPECT_EQ(log[1], "pt<w");
+    for (int i = 0; i < 250; ++i) scene.go(nullptr);
+    EXPECT_LT(off_rest(scene), 5e-6);
+}
+
+TEST(Bites, GiveTheSameBitsTwice) {
+    const auto play = [] {
+        Stitching scene({});
+        Log log;
+        swing(scene, down_and_out, -0.1e-3, 2e-3, log);
+        return std::vector<Vec3>(scene.tissue.nodes().begin(), scene.tissue.nodes().end());
+    };
+    const auto first = play(), second = play();
+    EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(Vec3)), 0);
+}
+
+// Of one bite, in order: pierced once; as often through as back in, or once more; in the end withdrawn, drawn or left in the wall.
+bool is_in_order(const std::string& events) {
+    std::size_t i = 1;
+    if (events.empty() || events[0] != 'p') return false;
+    while (i + 1 < events.size() && events[i] == 't' && events[i + 1] == '<') i += 2;
+    const std::string end = events.substr(i);
+    return end.empty() || end == "t" || end == "w" || end == "td";
+}
+
+// E17: where the path begins is anywhere on the wall, on edges and vertices too, its way any or along the wall; it goes on, or back, or to and fro.
+TEST(Bites, FollowFiveHundredRandomPaths) {
+    int bites = 0, through = 0, withdrawn = 0, drawn = 0, paths = 0;
+    for (std::uint64_t seed = 0; paths < 500; ++seed) {
+        app::bench::Random random(seed);
+        Stitching scene({.puncture = random.between(0.5e-3, 3e-3)}, {.around = 12, .through = 1, .near = 6, .far = 2});
+        const int face = random.below(static_cast<int>(scene.mesh.faces.size()));
+        Vec3 weights(random.between(0, 1), random.between(0, 1), random.between(0, 1));
+        weights /= weights.sum();
+        if (seed % 5 == 1) weights = Vec3::UnitX();
+        if (seed % 5 == 2) weights = Vec3(0.5, 0.5, 0);
+        const Vec3 at = scene.skin.at_face(face, weights), up = scene.skin.normal_of_face(face);
+        Vec3 way = Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)).normalized();
+        if (way.dot(up) > 0) way = -way;
+        if (seed % 5 == 3) way = (way - way.dot(up) * up).normalized();
+        const Vec3 bend = way.cross(Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))).normalized();
+        const Swing needle{at, way, bend, random.between(1.6e-3, 5.4e-3), random.between(1.5, 3.1)};
+        const double begin = -0.4e-3, length = needle.radius * needle.angle, far = random.between(0.2e-3, std::min(4e-3, 0.8 * length));
+        if (scene.mesh.faces[static_cast<std::size_t>(face)].side == Side::far_end || at.x() > 4e-3 || scene.is_in_wall(needle.at(begin / needle.radius))) continue;
+        ++paths;
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", kind " << paths % 4);
+        Log log;
+        const double quick = random.between(10e-3, 40e-3);
+        swing(scene, needle, begin, far, log, quick);
+        if (paths % 4 == 0) swing(scene, needle, far, length + 4e-3, log, 40e-3);
+        if (paths % 4 == 1) swing(scene, needle, far, begin - 1e-3, log, quick);
+        if (paths % 4 == 2) {
+            for (const auto& [a, b] : {std::pair(far, 0.3 * far), {0.3 * far, 1.2 * far}, {1.2 * far, begin}, {begin, far}, {far, begin - 1e-3}}) swing(scene, needle, a, b, log, quick);
+        }
+        for (const auto& [bite, events] : log) {
+            EXPECT_TRUE(is_in_order(events)) << bite << ": " << events;
+            const Bite& found = scene.bites.bites()[static_cast<std::size_t>(bite)];
+            EXPECT_GE(found.entry.hole, 0);
+            if (found.state == BiteState::open) {
+                EXPECT_GE(found.exit.hole, 0);
+            }
+            withdrawn += events.back() == 'w', drawn += events.back() == 'd', through += events.find('t') != std::string::npos;
+        }
+        bites += static_cast<int>(log.size());
+        if (paths % 4 == 1 || paths % 4 == 2) {               // orphans: nothing is left on a needle that is out
+            for (const Bite& bite : scene.bites.bites()) EXPECT_FALSE(bite.on_needle);
+            EXPECT_EQ(scene.bites.force().norm(), 0);
+        }
+        for (int i = 0; i < 100; ++i) scene.go(nullptr);
+        EXPECT_LT(off_rest(scene), 20e-6);
+        EXPECT_TRUE(scene.bites.forces().empty());
+    }
+    EXPECT_GT(bites, 300);
+    std::printf("%d paths: %d bites, %d of them through, %d withdrawn, %d drawn\n", paths, bites, through, withdrawn, drawn);
+}
+
+}  // namespace
