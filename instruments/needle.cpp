@@ -21,9 +21,10 @@ Arc out_of_tool(const Arc& needle, const Pose& tool) {
 
 std::array<Capsule, needle_parts> parts_of(const Arc& needle) {
     std::array<Capsule, needle_parts> parts;
-    Vec3 from = needle.tail();
+    const double piece = (needle.length() - needle.wire) / needle_parts;
+    Vec3 from = needle.at(needle.wire);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-        const Vec3 to = needle.at(needle.length() * static_cast<double>(k + 1) / needle_parts);
+        const Vec3 to = needle.at(needle.wire + piece * static_cast<double>(k + 1));
         parts[k] = {from, to, needle.wire};
         from = to;
     }

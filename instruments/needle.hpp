@@ -12,7 +12,7 @@ using sim::geometry::Arc;
 Arc into_tool(const Arc& needle, const Pose& tool);
 Arc out_of_tool(const Arc& needle, const Pose& tool);
 
-/// Straight ones; their middles are off the arc by a fourteenth of the wire's thickness at most.
+/// Straight ones, the first of which ends round at the tail; their middles are off the arc by a fourteenth of the wire's thickness at most.
 constexpr int needle_parts = 16;
 std::array<Capsule, needle_parts> parts_of(const Arc& needle);
 

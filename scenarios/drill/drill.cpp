@@ -95,6 +95,7 @@ class Reader {
                 document_.fail(place + "/axis", "has no direction, expected one component other than 0");
             vessel.axis.normalize();
             vessel.is_soft = filled_["effects"]["tissue"] == "elastic";
+            vessel.puncture_force = entry["puncture_N"];
             vessel.young_modulus = 1e6 * entry["young_MPa"].get<double>();
             vessel.start_held = vessel.end_held = false;
             for (const json& end : entry["held"]) (end == "start" ? vessel.start_held : vessel.end_held) = true;

@@ -128,7 +128,8 @@ Shape vessel() {
                 false, json::array({1, 0, 0})},
                {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
                 json::array({"start", "end"})},
-               {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1}});
+               {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1},
+               {"puncture_N", quantity("Force at which a needle goes through a wall that gives way.", 0.001, 10, "N"), false, 0.05}});
     shape.one_of = {"tube", "mesh"};
     return shape;
 }

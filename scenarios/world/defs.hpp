@@ -39,7 +39,8 @@ struct VesselDef {
     double cut_angle = 90;                                  ///< Of ends that are not held [degrees], 45 to 90.
     bool start_held = true, end_held = true;
     bool is_soft = false;                                   ///< Its wall gives way, with
-    double young_modulus = 0.1e6;                           ///< [Pa].
+    double young_modulus = 0.1e6;                           ///< [Pa], and
+    double puncture_force = 0.05;                           ///< a needle's tip goes through at this [N].
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
 };
 

@@ -94,11 +94,14 @@ void World::update_grasps() {
         Tool& tool = tools_[static_cast<std::size_t>(number)];
         if (!tool.closed && tool.now.jaw < shut_below) {
             tool.closed = true;
-            if (!take_needle(number, JawRoom(tool.shape, tool.now.jaw))) take_hold(tool);
+            const JawRoom shut(tool.shape, tool.now.jaw);
+            if (!take_needle(number, shut)) take_hold(tool), take_wall(tool, shut);
         } else if (tool.closed && tool.now.jaw > open_above) {
             tool.closed = false;
             for (const Grasp& grasp : tool.grasps) log("release", tool.def.name, grasp.middle());
             tool.grasps.clear();
+            if (!tool.walls.empty()) log("wall_release", tool.def.name, 0);
+            tool.walls.clear();
             let_needle_go(number);
         }
         const JawRoom room(tool.shape, tool.now.jaw);

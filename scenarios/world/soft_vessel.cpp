@@ -48,8 +48,23 @@ static tissue::Material material_of(const VesselDef& def) {
     return material;
 }
 
-SoftVessel::SoftVessel(const VesselDef& def) : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), clamps(clamps_of(def, tissue.rest())) {
+// What the needle opens stays open. A hole hardly wider than the thread would take links only along its axis.
+static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
+    return {.puncture = def.puncture_force, .grip = 2, .hole = wire, .axis = def.axis};
+}
+
+SoftVessel::SoftVessel(const VesselDef& def, double wire)
+    : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), bites(bites_of(def, wire), tissue.rest()), clamps(clamps_of(def, tissue.rest())),
+      name(def.name) {
     forces.reserve(4096);
+}
+
+std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels) {
+    for (SoftVessel& vessel : vessels) {
+        vessel.first = static_cast<int>(triangles.size());
+        for (int t = 0; t < vessel.skin.size(); ++t) triangles.push_back(vessel.skin[t]);
+    }
+    return triangles;
 }
 
 }  // namespace scenarios::world

@@ -1,5 +1,6 @@
 #pragma once
 #include "scenarios/world/defs.hpp"
+#include "tissue/bite.hpp"
 #include "tissue/skin.hpp"
 #include "tissue/tissue.hpp"
 
@@ -10,13 +11,18 @@ tissue::Mesh wall_of(const VesselDef& def);
 
 /// A vessel that gives way.
 struct SoftVessel {
-    explicit SoftVessel(const VesselDef& def);
+    SoftVessel(const VesselDef& def, double wire);
 
     tissue::Tissue tissue;
     tissue::Skin skin;
+    tissue::Bites bites;
     std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are.
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
+    std::string name;
     int first = 0;                            ///< Its triangles' first number in the scene's wall.
 };
+
+/// These triangles and after them those of all vessels, which learn their numbers.
+std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels);
 
 }  // namespace scenarios::world

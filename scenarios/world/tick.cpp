@@ -81,7 +81,7 @@ sim::thread::TickReport World::move_thread() {
         for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], static_cast<int>(i)});
     }
     hold_thread_on_needle();
-    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_});
+    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, has_needle() ? 1 : 0});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it.

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <limits>
+
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {
@@ -5,16 +8,30 @@ namespace scenarios::world {
 // Each step is as long as it takes until the same vessel's turn comes again, 2 ms at least: one vessel a tick.
 static std::uint64_t period(std::size_t vessels) { return std::max<std::uint64_t>(2, vessels); }
 
+static const char* name_of(tissue::BiteEvent::Kind kind) {
+    switch (kind) {
+        case tissue::BiteEvent::pierced: return "pierced";
+        case tissue::BiteEvent::through: return "through";
+        case tissue::BiteEvent::back_in: return "back_in";
+        case tissue::BiteEvent::withdrawn: return "withdrawn";
+        case tissue::BiteEvent::drawn: return "drawn";
+    }
+    return "";
+}
+
 // What the thread does to a vessel between two of its steps counts for as long as it did it. A pull falls off as what pulls gives way: a
-// taut strand's by its stiffness.
+// taut strand's by its stiffness. Of `ftl`, whose tension is an estimate, no more than the thread, and jaws that hold it, bear.
 void World::load_vessels() {
+    const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()), grip = weakest_grip();
+    const double most = grip > 0 ? std::min(grip, def_.thread.break_force) : def_.thread.break_force;
+    const double held = is_elastic() || tension <= most ? 1 : most / tension;
     const double share = 1.0 / static_cast<double>(period(vessels_.size())), stiffness = thread_.def().axial_stiffness / def_.thread.length;
     for (const sim::thread::SurfaceForce& pressed : thread_.surface_forces())
         for (SoftVessel& vessel : vessels_) {
             const int triangle = pressed.triangle - vessel.first;
             if (triangle < 0 || triangle >= vessel.skin.size()) continue;
             const Vec3 weights = tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at);
-            vessel.forces.push_back({vessel.skin.point(triangle, weights), share * pressed.force, share * stiffness});
+            vessel.forces.push_back({vessel.skin.point(triangle, weights), share * held * pressed.force, share * stiffness});
         }
 }
 
@@ -22,19 +39,40 @@ void World::move_vessels() {
     if (vessels_.empty()) return;
     load_vessels();
     const std::uint64_t turns = period(vessels_.size()), turn = ticks_ % turns;
-    if (turn < vessels_.size()) {
-        SoftVessel& vessel = vessels_[turn];
-        vessel.tissue.step({.holds = vessel.clamps, .forces = vessel.forces}, static_cast<double>(turns) * def_.tick_s);
-        vessel.forces.clear();
-        vessel.skin.update(vessel.tissue.nodes());
-    }
+    if (turn < vessels_.size()) move(vessels_[turn], static_cast<double>(turns) * def_.tick_s);
     show_vessels();
+}
+
+void World::move(SoftVessel& vessel, double seconds) {
+    const int holes = vessel.skin.holes();
+    pull_walls(static_cast<int>(&vessel - vessels_.data()));
+    vessel.bites.press(has_needle() ? &needle_.now : nullptr, vessel.skin);
+    vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
+    vessel.tissue.step({.holds = vessel.clamps, .forces = vessel.forces}, seconds);
+    vessel.forces.clear();
+    vessel.skin.update(vessel.tissue.nodes());
+    vessel.bites.settle(vessel.skin);
+    for (const tissue::BiteEvent& event : vessel.bites.events()) log(name_of(event.kind), vessel.name, event.force);
+    if (vessel.skin.holes() > holes) renew_wall();
+}
+
+// A hole is new: triangles have other numbers, and the thread looks for all of them anew.
+void World::renew_wall() {
+    const std::size_t rigid = vessels_.empty() ? targets_.size() : static_cast<std::size_t>(vessels_.front().first);
+    targets_ = with_skins({targets_.begin(), targets_.begin() + static_cast<std::ptrdiff_t>(rigid)}, vessels_);
+    wall_.renew(targets_);
+    wall_is_new_ = true;
 }
 
 // The thread meets them where they are now, or as near to there as it makes room.
 void World::show_vessels() {
     for (const SoftVessel& vessel : vessels_)
         for (int t = 0; t < vessel.skin.size(); ++t) targets_[static_cast<std::size_t>(vessel.first + t)] = vessel.skin[t];
+    if (wall_is_new_) {
+        wall_moved_ = std::numeric_limits<double>::infinity();
+        wall_is_new_ = false;
+        return;
+    }
     rooms_.resize(targets_.size());
     thread_.surface_room(rooms_);
     wall_moved_ = wall_.follow(targets_, rooms_);

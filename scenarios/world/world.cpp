@@ -34,20 +34,12 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
 static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {
     std::vector<SoftVessel> vessels;
     for (const VesselDef& vessel : def.vessels)
-        if (vessel.is_soft) vessels.emplace_back(vessel);
+        if (vessel.is_soft) vessels.emplace_back(vessel, def.needle.wire);
     return vessels;
 }
 
-static std::vector<Triangle> all_of(std::vector<Triangle> triangles, std::vector<SoftVessel>& vessels) {
-    for (SoftVessel& vessel : vessels) {
-        vessel.first = static_cast<int>(triangles.size());
-        for (int t = 0; t < vessel.skin.size(); ++t) triangles.push_back(vessel.skin[t]);
-    }
-    return triangles;
-}
-
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
-    : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_(all_of(surface, vessels_), def.thread.diameter / 2),
+    : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
       targets_(wall_.tree().triangles()) {
     if (!surface.empty()) bench_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
@@ -55,6 +47,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
         bench_.set_pose(bench_.add_tool(kind), start[i]);
         tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
         tools_.back().grasps.reserve(16);
+        tools_.back().walls.reserve(64);
     }
     for (const VesselDef& vessel : def.vessels) {  // beyond the thread at either end, wherever it lies
         const Vec3 half = (0.5 * vessel.length + def.thread.length) * vessel.axis.normalized();

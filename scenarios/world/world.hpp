@@ -30,6 +30,13 @@ struct Grasp {
     int middle() const { return first + count / 2; }
 };
 
+/// A point of a wall between a tool's jaws.
+struct WallGrip {
+    int vessel;                  ///< Of World::vessels().
+    tissue::MaterialPoint at;
+    Vec3 anchor;                 ///< Where the tool draws it, in the tool's frame [m].
+};
+
 struct Tool {
     InstrumentDef def;
     instruments::ToolShape shape;
@@ -39,6 +46,7 @@ struct Tool {
     bool closed = false;         ///< Jaws are shut on whatever they hold; with hysteresis.
     bool stopped = false;        ///< By another tool or a vessel, in this tick.
     bool slipping = false;       ///< The thread slid between the jaws in the last tick.
+    std::vector<WallGrip> walls = {};
 };
 
 /// Who holds the needle, and how.
@@ -105,6 +113,8 @@ class World {
     void let_grasps_slip();
     void load_vessels();
     void move_vessels();
+    void move(SoftVessel& vessel, double seconds);
+    void renew_wall();
     void show_vessels();
     void measure(const sim::thread::TickReport& report);
     void name_beside();
@@ -117,6 +127,8 @@ class World {
     Arc needle_led_by(const instruments::Pose& tool) const;
     void hold_thread_on_needle();
     void take_hold(Tool& tool);
+    void take_wall(Tool& tool, const JawRoom& room);
+    void pull_walls(int vessel);
     bool is_held(int node) const;
     bool slip(Tool& tool, Grasp& grasp);
     bool is_elastic() const { return thread_.def().elastic.has_value(); }
@@ -136,6 +148,7 @@ class World {
     MovingWall wall_;                              // of all vessels, the rigid ones first
     std::vector<Triangle> targets_;                // where it should be
     std::vector<double> rooms_;                    // scratch
+    bool wall_is_new_ = false;                     // its triangles have other numbers than the thread knows
     double wall_moved_ = 0;                        // since the last tick [m]
     instruments::Bench bench_;
     std::vector<Tool> tools_;

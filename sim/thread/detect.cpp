@@ -52,7 +52,7 @@ static void detect_surface(State& state) {
     state.tree.leaves([&](const Box& box, int first, int last) {
         state.found.clear();
         surface.near(box.grown(state.reach), state.found);
-        for (int i = first; i < last; ++i) {
+        for (int i = std::max(first, state.input.sheathed); i < last; ++i) {
             const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
             const Box near_link = Box{a0.cwiseMin(a1), a0.cwiseMax(a1)}.grown(state.reach);
             for (const int triangle : state.found) {

@@ -54,6 +54,7 @@ struct TickInput {
     std::span<const Vec3> loads = {};                 ///< forces on nodes [N], one each or none.
     double surface_moved = 0;                         ///< How far the surface has gone since the last tick at most [m]; none of it through
                                                       ///< the thread: within 0.45 of surface_room().
+    int sheathed = 0;                                 ///< So many of the first links touch no surface: a needle that leads them is in the wall.
 };
 
 /// What a tick did and what it gave up.

@@ -1,0 +1,92 @@
+#include "scenarios/world/jaw_room.hpp"
+#include "scenarios/world/world.hpp"
+
+namespace scenarios::world {
+
+namespace {
+
+// Barycentric of the tetrahedron's corners: none below 0 within it.
+std::array<double, 4> weights_in(const tissue::Tetrahedron& tet, std::span<const Vec3> nodes, const Vec3& p) {
+    const double whole = tissue::volume(tet, nodes);
+    std::array<double, 4> weights;
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::array<Vec3, 4> corner;
+        for (std::size_t c = 0; c < 4; ++c) corner[c] = c == k ? p : nodes[static_cast<std::size_t>(tet[c])];
+        weights[k] = tissue::volume({0, 1, 2, 3}, corner) / whole;
+    }
+    return weights;
+}
+
+// Those near the box of the jaws.
+std::vector<int> tetrahedra_near(const tissue::Tissue& wall, const sim::geometry::Box& jaws) {
+    std::vector<int> near;
+    for (std::size_t t = 0; t < wall.rest().tetrahedra.size(); ++t) {
+        sim::geometry::Box box;
+        for (const int node : wall.rest().tetrahedra[t]) box.include(wall.nodes()[static_cast<std::size_t>(node)]);
+        if (box.overlaps(jaws)) near.push_back(static_cast<int>(t));
+    }
+    return near;
+}
+
+sim::geometry::Box box_of(const Tool& tool) {
+    sim::geometry::Box box;
+    const auto parts = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw);
+    for (const int jaw : {instruments::jaw_plus, instruments::jaw_minus})
+        for (const Vec3* end : {&parts[static_cast<std::size_t>(jaw)].a, &parts[static_cast<std::size_t>(jaw)].b}) box.include(*end);
+    return box.grown(tool.shape.jaw_radius);
+}
+
+// The one of them round `p`; -1 where `p` is in none.
+int tetrahedron_at(const tissue::Tissue& wall, const std::vector<int>& near, const Vec3& p, std::array<double, 4>& weights) {
+    for (const int t : near) {
+        weights = weights_in(wall.rest().tetrahedra[static_cast<std::size_t>(t)], wall.nodes(), p);
+        if (*std::min_element(weights.begin(), weights.end()) >= 0) return t;
+    }
+    return -1;
+}
+
+}  // namespace
+
+// Closing jaws hold what of a wall is between them in their middle plane: of each look along them the middle of what is in the wall. It comes to
+// lie flat between them, as a strand does.
+void World::take_wall(Tool& tool, const JawRoom& room) {
+    const double look = 0.5 * tool.shape.jaw_radius;
+    for (std::size_t v = 0; v < vessels_.size(); ++v) {
+        const std::size_t had = tool.walls.size();
+        const tissue::Tissue& wall = vessels_[v].tissue;
+        const std::vector<int> near = tetrahedra_near(wall, box_of(tool));
+        for (double z = -0.5 * look; z > -tool.shape.jaw_length && tool.walls.size() < tool.walls.capacity(); z -= look) {
+            const double low = room.axis_x(room.minus, z), high = room.axis_x(room.plus, z);
+            const int looks = std::max(1, static_cast<int>((high - low) / look));
+            WallGrip nearest{-1, {}, Vec3::Zero()};
+            for (int k = 0; k < looks; ++k) {
+                const Vec3 p(low + (k + 0.5) * (high - low) / looks, 0, z);
+                std::array<double, 4> weights;
+                const int tet = tetrahedron_at(wall, near, tool.before.pose.position + tool.before.pose.rotation * p, weights);
+                if (tet >= 0 && (nearest.vessel < 0 || std::abs(p.x()) < std::abs(nearest.anchor.x()))) nearest = {static_cast<int>(v), {tet, weights}, p};
+            }
+            if (nearest.vessel < 0) continue;
+            nearest.anchor.x() = 0;
+            tool.walls.push_back(nearest);
+        }
+        if (tool.walls.size() > had) log("wall_grasp", tool.def.name + ", " + vessels_[v].name, static_cast<double>(tool.walls.size() - had));
+    }
+}
+
+// Jaws draw what they hold to where they are, each look as hard as its share of the grip at the most.
+void World::pull_walls(int vessel) {
+    // Twenty times as stiff as a wall is under a millimetre's pull, so that what is held lags by a twentieth of how far the wall is drawn.
+    constexpr double stiffness = 1000;  // [N/m] of all looks of a tool together
+    for (const Tool& tool : tools_)
+        for (const WallGrip& grip : tool.walls) {
+            if (grip.vessel != vessel) continue;
+            SoftVessel& of = vessels_[static_cast<std::size_t>(vessel)];
+            const double share = 1.0 / static_cast<double>(tool.walls.size()), most = share * tool.shape.grip_force;
+            const Vec3 wanted = tool.now.pose.position + tool.now.pose.rotation * grip.anchor;
+            const Vec3 force = share * stiffness * (wanted - of.tissue.position(grip.at));
+            const double limit = std::min(1.0, most / std::max(most, force.norm()));
+            of.forces.push_back({grip.at, limit * force, share * stiffness});
+        }
+}
+
+}  // namespace scenarios::world
