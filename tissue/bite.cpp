@@ -22,7 +22,7 @@ double place_on(const Arc& arc, const Vec3& point, double about) {
 
 }  // namespace
 
-Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), tetrahedra_(rest.tetrahedra) {
+Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), shaft_({.stiffness = def.stiffness}), tetrahedra_(rest.tetrahedra) {
     constexpr std::size_t room = 64;
     crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room);
 }
@@ -30,15 +30,17 @@ Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), tetrahedra_(rest
 void Bites::press(const Arc* needle, const Skin& skin) {
     forces_.clear(), events_.clear();
     if (!needle) return let_go();
-    const Vec3 tip_before = has_needle_ ? needle_.tip() : needle->tip();
+    if (has_needle_ && (needle->tip() - needle_.tip()).norm() > 0.25 * needle->length()) let_go();
+    const Arc before = has_needle_ ? needle_ : *needle;
     needle_ = *needle;
     has_needle_ = true;
     follow(skin);
     leave_by_tip();
     if (touch_.active) advance_touch(), slide_touch(skin);
-    if (!touch_.active && !is_at_last_hole()) begin_touch(tip_before, skin);
+    if (!touch_.active && !is_at_last_hole()) begin_touch(before.tip(), skin);
     if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
     for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
+    press_shaft(before, skin);
 }
 
 void Bites::settle(Skin& skin) {
@@ -50,6 +52,7 @@ void Bites::settle(Skin& skin) {
         const double most = friction_of(i), pull = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
         if (crossing.along >= 0) force_ -= def_.stiffness * aside(crossing, skin) + pull * needle_.tangent(crossing.along);
     }
+    settle_shaft(skin);
     if (touch_.active) settle_touch(skin);
     leave_by_tip();
     leave_by_tail();

@@ -1,7 +1,6 @@
 #pragma once
 #include "sim/geometry/arc.hpp"
-#include "tissue/skin.hpp"
-#include "tissue/tissue.hpp"
+#include "tissue/contact.hpp"
 
 namespace tissue {
 
@@ -65,14 +64,15 @@ struct BiteEvent {
 
 /// A needle's way into, through and out of one vessel's wall, as often as it likes; its bites remain. Before the tip is through a skin it dimples it, or
 /// tents it from within; from then on the wire runs in a channel: the points of the wall where it enters and leaves are drawn onto the arc, and held
-/// along it by friction. Deterministic; nothing is allocated once there is room for forces and bites.
+/// along it by friction. What of the wire is outside pushes the wall aside as any tool does. Deterministic; nothing is allocated once there is room for forces and bites.
 ///
 /// Each step: press(), Tissue::step() with forces(), Skin::update(), settle().
 class Bites {
   public:
     Bites(const BiteDef& def, const Mesh& rest);
 
-    /// Where the needle is now; none: nullptr, as when it is taken away, or cut off behind its thread. Some 20 us where the tip is in the vessel's box.
+    /// Where the needle is now; none: nullptr, as when it is taken away, or cut off behind its thread. One whose tip jumps by more than a quarter of its length is
+    /// taken away and put elsewhere. Some 50 us where the needle is near the vessel.
     void press(const Arc* needle, const Skin& skin);
     std::span<const PointForce> forces() const { return forces_; }
     /// What came of it. Opens holes in the skin.
@@ -82,6 +82,7 @@ class Bites {
     std::span<const BiteEvent> events() const { return events_; }  ///< Since press().
     Vec3 force() const { return force_; }                          ///< On the needle [N].
     bool tip_is_in_wall() const { return crossings_.size() % 2 == 1; }
+    int holes_on_needle() const { return static_cast<int>(crossings_.size()); }
     bool touches() const { return touch_.active; }                 ///< The tip dimples or tents a skin.
     const BiteDef& def() const { return def_; }
 
@@ -102,6 +103,9 @@ class Bites {
     };
 
     void let_go();
+    bool is_outside(int piece) const;
+    void press_shaft(const Arc& before, const Skin& skin);
+    void settle_shaft(const Skin& skin);
     void begin_touch(const Vec3& tip_before, const Skin& skin);
     void touch_at(const Skin& skin, const Skin::Spot& spot);
     Skin::Spot behind_tip(const Skin& skin) const;
@@ -124,6 +128,7 @@ class Bites {
     Bite& of(const Crossing& crossing) { return bites_[static_cast<std::size_t>(crossing.bite)]; }
 
     BiteDef def_;
+    CapsuleContact shaft_;
     std::vector<Tetrahedron> tetrahedra_;
     Arc needle_;
     bool has_needle_ = false;

@@ -21,7 +21,7 @@ void CapsuleContact::find(const Skin& skin, const Capsule& capsule, const Capsul
         if (outside && far >= capsule.radius) continue;
         // Below: over its inside, no deeper than it came in this step and half of the radius; where the axis goes through a triangle its deeper end counts.
         const double below = far > 0 ? height : std::min(up.dot(capsule.a - pair.on_b), up.dot(capsule.b - pair.on_b));
-        const double came = std::max({0.0, -up.dot(gone_a), -up.dot(gone_b)});
+        const double came = std::min(4 * capsule.radius, std::max({0.0, -up.dot(gone_a), -up.dot(gone_b)}));  // what jumps further is not met
         if (!outside && (below < -0.5 * capsule.radius - came || -height < 0.9 * far)) continue;
         const double tiny = 1e-6 * capsule.radius;  // neighbours that share the place nearest to the axis
         if (std::any_of(places_.begin(), places_.end(), [&](const Place& p) { return (p.at - pair.on_b).squaredNorm() < tiny * tiny; })) continue;
