@@ -22,34 +22,45 @@ double place_on(const Arc& arc, const Vec3& point, double about) {
 
 }  // namespace
 
-Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), tetrahedra_(rest.tetrahedra) {
+Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), shaft_({.stiffness = def.stiffness}), tetrahedra_(rest.tetrahedra), rest_(rest.nodes) {
+    const auto at = [&](int i) -> const Vec3& { return rest.nodes[static_cast<std::size_t>(i)]; };
+    for (const Face& face : rest.faces)
+        if (face.side == Side::cut) cut_.push_back({at(face.nodes[0]), at(face.nodes[1]), at(face.nodes[2])});
     constexpr std::size_t room = 64;
-    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room);
+    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room), pulls_.reserve(room);
 }
 
 void Bites::press(const Arc* needle, const Skin& skin) {
     forces_.clear(), events_.clear();
     if (!needle) return let_go();
-    const Vec3 tip_before = has_needle_ ? needle_.tip() : needle->tip();
+    if (has_needle_ && (needle->tip() - needle_.tip()).norm() > 0.25 * needle->length()) let_go();
+    const Arc before = has_needle_ ? needle_ : *needle;
     needle_ = *needle;
     has_needle_ = true;
     follow(skin);
     leave_by_tip();
     if (touch_.active) advance_touch(), slide_touch(skin);
-    if (!touch_.active && !is_at_last_hole()) begin_touch(tip_before, skin);
+    if (!touch_.active && !is_at_last_hole()) begin_touch(before.tip(), skin);
     if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
     for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
+    press_shaft(before, skin);
 }
 
 void Bites::settle(Skin& skin) {
     force_ = Vec3::Zero();
     if (!has_needle_) return;
     follow(skin);
+    pulls_.clear();
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
         const Crossing& crossing = crossings_[i];
-        const double most = friction_of(i), pull = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
-        if (crossing.along >= 0) force_ -= def_.stiffness * aside(crossing, skin) + pull * needle_.tangent(crossing.along);
+        const double most = friction_of(i), along = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
+        const Vec3 on_wall = crossing.along < 0 ? Vec3(Vec3::Zero()) : Vec3(def_.stiffness * aside(crossing, skin) + along * needle_.tangent(crossing.along));
+        force_ -= on_wall;
+        pulls_.push_back(on_wall.norm());
     }
+    for (std::size_t i = pulls_.size(); i-- > 0;)
+        if (i < crossings_.size()) pull(crossings_[i].hole, pulls_[i]);
+    settle_shaft(skin);
     if (touch_.active) settle_touch(skin);
     leave_by_tip();
     leave_by_tail();

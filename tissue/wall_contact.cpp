@@ -1,0 +1,115 @@
+// Walls against each other and themselves.
+#include <algorithm>
+
+#include "tissue/contact.hpp"
+
+namespace tissue {
+
+namespace {
+
+Box box_of(const Skin& skin) {
+    Box all;
+    for (const Vec3& node : skin.nodes()) all.include(node);
+    return all;
+}
+
+}  // namespace
+
+std::array<int, 3> WallContact::cell(const Vec3& at) const {
+    std::array<int, 3> found{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        found[k] = static_cast<int>(std::clamp((at[axis] - grid_.low[axis]) / edge_, 0.0, size_[k] - 1.0));
+    }
+    return found;
+}
+
+// Nodes of the surface in `where`, by cells of a grid.
+void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& where) {
+    constexpr double most_along = 64;
+    grid_ = where;
+    const Vec3 extent = grid_.high - grid_.low;
+    edge_ = std::max(2 * thickness_, extent.maxCoeff() / most_along);
+    for (std::size_t k = 0; k < 3; ++k) size_[k] = 1 + static_cast<int>(extent[static_cast<Eigen::Index>(k)] / edge_);
+    face_.assign(skin.nodes().size(), -1);
+    for (std::size_t f = 0; f < rest.faces.size(); ++f)
+        for (const int i : rest.faces[f].nodes) face_[static_cast<std::size_t>(i)] = static_cast<int>(f);
+    sorted_.clear();
+    for (std::size_t i = 0; i < face_.size(); ++i) {
+        const Vec3& at = skin.nodes()[i];
+        if (face_[i] < 0 || !grid_.overlaps({at, at})) continue;
+        const auto [x, y, z] = cell(at);
+        sorted_.push_back({number(x, y, z), static_cast<int>(i)});
+    }
+    std::sort(sorted_.begin(), sorted_.end());
+    behind_.assign(face_.size(), {-1, 0});
+}
+
+// Behind the triangle, over its inside, less deep than behind any other; at rest not next to it, for a wall that is thin is not through itself.
+void WallContact::look_behind(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same) {
+    const auto i = static_cast<std::size_t>(node);
+    const Vec3& at = nodes_of.nodes()[i];
+    const double depth = up.dot(triangles_of[triangle].a - at);
+    if (!(depth > 0 && depth < 0.5 * thickness_) || (behind_[i].triangle >= 0 && behind_[i].depth <= depth)) return;
+    if (weights_in(triangles_of[triangle], at).minCoeff() < 0) return;
+    if (same) {
+        const auto& nodes = rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))].nodes;
+        const auto rest_of = [&](int k) -> const Vec3& { return rest.nodes[static_cast<std::size_t>(k)]; };
+        double longest = 0, nearest = 1e300;
+        for (std::size_t k = 0; k < 3; ++k) {
+            longest = std::max(longest, (rest_of(nodes[k]) - rest_of(nodes[(k + 1) % 3])).norm());
+            nearest = std::min(nearest, (rest_of(nodes[k]) - rest_of(node)).norm());
+        }
+        if (nearest < longest || nearest < 1.5 * thickness_) return;
+    }
+    behind_[i] = {triangle, depth};
+}
+
+void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same) {
+    if (sorted_.empty()) return;
+    for (int t = 0; t < triangles_of.size(); ++t) {
+        const Vec3 up = triangles_of.normal(t), down = -0.5 * thickness_ * up;
+        Box around = triangles_of.box(t);   // and what is behind it
+        around.low += down.cwiseMin(0), around.high += down.cwiseMax(0);
+        if (!around.overlaps(grid_)) continue;
+        const auto low = cell(around.low), high = cell(around.high);
+        for (int x = low[0]; x <= high[0]; ++x)
+            for (int y = low[1]; y <= high[1]; ++y) {
+                const auto begin = std::lower_bound(sorted_.begin(), sorted_.end(), std::array{number(x, y, low[2]), 0});
+                for (auto k = begin; k != sorted_.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_behind(rest, nodes_of, (*k)[1], triangles_of, t, up, same);
+            }
+    }
+}
+
+void WallContact::push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Skin& triangles_of, std::vector<PointForce>& on_triangles) {
+    for (std::size_t i = 0; i < behind_.size(); ++i) {
+        const auto [triangle, depth] = behind_[i];
+        if (triangle < 0) continue;
+        ++contacts_;
+        const auto& nodes = rest.faces[static_cast<std::size_t>(face_[i])].nodes;
+        const auto corner = std::find(nodes.begin(), nodes.end(), static_cast<int>(i)) - nodes.begin();
+        const Vec3 up = triangles_of.normal(triangle), force = def_.stiffness * depth * up;
+        on_nodes.push_back({nodes_of.point_of_face(face_[i], Vec3::Unit(corner)), force, 2 * def_.stiffness, up});
+        on_triangles.push_back({triangles_of.point(triangle, weights_in(triangles_of[triangle], nodes_of.nodes()[i])), -force, 2 * def_.stiffness, up});
+    }
+}
+
+void WallContact::press(const Mesh& rest_a, const Skin& a, std::vector<PointForce>& on_a, const Mesh& rest_b, const Skin& b, std::vector<PointForce>& on_b) {
+    contacts_ = 0;
+    const Box box_a = box_of(a).grown(0.5 * thickness_), box_b = box_of(b).grown(0.5 * thickness_);
+    if (!box_a.overlaps(box_b)) return;
+    const Box both{box_a.low.cwiseMax(box_b.low), box_a.high.cwiseMin(box_b.high)};
+    sort_nodes(rest_a, a, both), find(rest_a, a, b, false), push(rest_a, a, on_a, b, on_b);
+    sort_nodes(rest_b, b, both), find(rest_b, b, a, false), push(rest_b, b, on_b, a, on_a);
+}
+
+// What touches was further apart at rest than the wall is thick: some node has gone more than half of that.
+void WallContact::press(const Mesh& rest, const Skin& skin, std::vector<PointForce>& forces) {
+    contacts_ = 0;
+    bool is_bent = false;
+    for (std::size_t i = 0; i < rest.nodes.size() && !is_bent; ++i) is_bent = (skin.nodes()[i] - rest.nodes[i]).squaredNorm() > 0.25 * thickness_ * thickness_;
+    if (!is_bent) return;
+    sort_nodes(rest, skin, box_of(skin)), find(rest, skin, skin, true), push(rest, skin, forces, skin, forces);
+}
+
+}  // namespace tissue
