@@ -108,10 +108,14 @@ void Skin::anchor(int hole, const Outline& outline) {
     }
 }
 
-int Skin::pierce(int face, const Vec3& point, const Vec3& direction, double radius) {
+// It is cut out of the wall as it is at rest: a dimple in which it is pierced does not stay, and a rim that had its shape would stand out of it.
+int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius) {
     Hole& hole = holes_.emplace_back(Hole{face, radius, weights_in_face(face, point), Vec3::Zero(), Eigen::Matrix3d::Identity()});
     place(hole);
-    const Vec3 up = hole.frame.col(2);
+    const Vec3 in_frame = hole.frame.transpose() * way_now;
+    pierced_at_.assign(nodes_.begin(), nodes_.end());
+    update(rest_);
+    const Vec3 up = hole.frame.col(2), direction = hole.frame * in_frame;
     const double steep = direction.dot(up), most_aslant = std::sqrt(3.0) * std::abs(steep);  // the tangent of 60 degrees
     const Vec3 aslant = direction - steep * up;
     const double bend = aslant.norm() > most_aslant ? most_aslant / aslant.norm() : 1;
@@ -131,6 +135,7 @@ int Skin::pierce(int face, const Vec3& point, const Vec3& direction, double radi
     triangles_.resize(kept), corners_.resize(kept), face_.resize(kept), boxes_.resize(kept);
     for (std::size_t i = 0; i < kept; ++i) set_box(i);
     anchor(holes() - 1, outline);
+    update(pierced_at_);
     return holes() - 1;
 }
 

@@ -15,7 +15,7 @@ Vec3 weights_in(const Triangle& triangle, const Vec3& point) {
     return {1 - v - w, v, w};
 }
 
-Skin::Skin(const Mesh& rest) : faces_(rest.faces), tetrahedron_(faces_.size()), place_in_(faces_.size()), nodes_(rest.nodes) {
+Skin::Skin(const Mesh& rest) : faces_(rest.faces), tetrahedron_(faces_.size()), place_in_(faces_.size()), rest_(rest.nodes), nodes_(rest.nodes), pierced_at_(rest.nodes) {
     std::map<std::array<int, 3>, std::size_t> known;
     const auto sorted = [](std::array<int, 3> nodes) { return std::sort(nodes.begin(), nodes.end()), nodes; };
     for (std::size_t f = 0; f < faces_.size(); ++f) known[sorted(faces_[f].nodes)] = f;

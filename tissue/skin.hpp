@@ -21,7 +21,7 @@ class Skin {
     /// Moves with the wall; one number of nodes throughout [m]. 25 us for 900 triangles; nothing is allocated.
     void update(std::span<const Vec3> nodes);
 
-    /// Opens a hole about `point`, which is in or near this face of the mesh, through which a cylinder of `radius` [m] fits along `direction`; no
+    /// Opens a hole about `point`, which is in or near this face of the mesh, through which a cylinder of `radius` [m] fits along `direction` in the wall at rest; no
     /// further aslant than 60 degrees, for what runs along a wall would slit it. Returns its number: 0, 1, 2 ... Cuts what faces `direction`
     /// as the face does, within three radii of its plane. Numbers of triangles change. 0.2 ms, once; allocates only beyond some hundred holes.
     int pierce(int face, const Vec3& point, const Vec3& direction, double radius);
@@ -96,7 +96,7 @@ class Skin {
     std::vector<Face> faces_;
     std::vector<int> tetrahedron_;                       // of each face
     std::vector<std::array<int, 3>> place_in_;           // of its nodes there
-    std::vector<Vec3> nodes_;
+    std::vector<Vec3> rest_, nodes_, pierced_at_;
     std::vector<Triangle> triangles_;
     std::vector<Box> boxes_;
     std::vector<int> face_;

@@ -15,6 +15,7 @@ static const char* name_of(tissue::BiteEvent::Kind kind) {
         case tissue::BiteEvent::back_in: return "back_in";
         case tissue::BiteEvent::withdrawn: return "withdrawn";
         case tissue::BiteEvent::drawn: return "drawn";
+        case tissue::BiteEvent::torn: return "torn";
     }
     return "";
 }
@@ -46,7 +47,8 @@ void World::move_vessels() {
 void World::move(SoftVessel& vessel, double seconds) {
     const int holes = vessel.skin.holes();
     pull_walls(static_cast<int>(&vessel - vessels_.data()));
-    vessel.bites.press(has_needle() ? &needle_.now : nullptr, vessel.skin);
+    const Arc with_swage = needle_.now.longer(thread_.rest_lengths().front());  // the link that it leads as stiffly as itself
+    vessel.bites.press(has_needle() ? &with_swage : nullptr, vessel.skin);
     vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
     vessel.tissue.step({.holds = vessel.clamps, .forces = vessel.forces}, seconds);
     vessel.forces.clear();

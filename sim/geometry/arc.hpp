@@ -23,6 +23,15 @@ struct Arc {
         const SinCos turn = portable_sin_cos(along / radius);
         return turn.cos * onwards - turn.sin * to_tail;
     }
+    /// The same with its tail so much further back along the circle [m].
+    Arc longer(double by) const {
+        const SinCos turn = portable_sin_cos(by / radius);
+        Arc arc = *this;
+        arc.to_tail = turn.cos * to_tail - turn.sin * onwards;
+        arc.onwards = turn.sin * to_tail + turn.cos * onwards;
+        arc.angle += by / radius;
+        return arc;
+    }
     Vec3 tail() const { return centre + radius * to_tail; }
     Vec3 tip() const { return at(length()); }
 };
