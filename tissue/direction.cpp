@@ -59,12 +59,12 @@ void Tissue::find_solved() {
     soften(push_, solved_);
     if (stiff_.empty() && used_stiff_.empty()) return;
     constexpr int most = 3;             // solves more
-    constexpr double enough = 1e-4;     // a hundredth of the way, squared: the energy's lowest point along it makes up for it
+    constexpr double enough = 1e-4;     // a hundredth of the way, squared: the lowest point along it makes up for it; and of what pushes, that hardly anything is left
     left_ = push_, next_ = solved_, along_way_ = push_;
     solved_.assign(x_.size(), Vec3::Zero());
     const double all = dot(left_, next_);
     double product = all;
-    std::vector<Vec3>& softened = lway_;
+    std::vector<Vec3>& softened = lway_;  // not known yet
     for (int k = 0;; ++k) {
         pull_ = along_way_;             // the whole stiffness times the way
         add_lost(stiff_, 1, next_, pull_);
@@ -73,7 +73,7 @@ void Tissue::find_solved() {
         if (!(curvature > 0)) break;
         const double far = product / curvature;
         for (std::size_t i = 0; i < x_.size(); ++i) solved_[i] += far * next_[i], left_[i] = (left_[i] - far * pull_[i]).cwiseProduct(free_[i]);
-        if (k == most) break;
+        if (k == most || dot(left_, left_) <= enough * enough * dot(push_, push_)) break;
         soften(left_, softened);
         const double now = dot(left_, softened), kept = now / product;
         if (!(now > enough * all)) break;

@@ -52,8 +52,7 @@ Drawn drawn_to(const Vec3& goal_from_rest, double stiffness, int steps, bool imp
     return drawn;
 }
 
-// A thousand newtons a metre: twenty times what the wall itself has and more. Three quarters of the way and more in one step; where Newton's method would never go back, what
-// is left swings by a hundredth of the way until the factors know of it, two factorisations later, and never after.
+// A thousand newtons a metre: twenty times what the wall itself has and more. Most of the way in one step, though the factors know nothing of it, and never back.
 TEST(StiffForce, ComesToBalanceInAFewSteps) {
     constexpr double stiffness = 1000, far = 0.3e-3;
     for (const Vec3& way : {Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.6, 0, -0.8)}) {
@@ -65,8 +64,7 @@ TEST(StiffForce, ComesToBalanceInAFewSteps) {
         EXPECT_LT(balance, far / 20);
         EXPECT_LT(drawn.gaps[0], 0.25 * far);
         EXPECT_LT(drawn.gaps[4] - balance, 0.02 * far);
-        const auto known = static_cast<std::size_t>(2 * Solver{}.steps_per_factor);
-        for (std::size_t i = 1; i < drawn.gaps.size(); ++i) EXPECT_LE(drawn.gaps[i], drawn.gaps[i - 1] + (i < known ? 0.02 * far : 0)) << i;
+        for (std::size_t i = 1; i < drawn.gaps.size(); ++i) EXPECT_LE(drawn.gaps[i], drawn.gaps[i - 1] + 1e-4 * far) << i;
     }
 }
 
