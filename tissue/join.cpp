@@ -30,8 +30,9 @@ Vec3 centre(const Mesh& rest) {
 
 SewnEnd end_of(const SewnVessel& vessel, const SewnVessel& other) {
     const Rim outer = rim_next_to(rims(vessel.rest, Side::outer), vessel.rest, centre(other.rest));
-    if (outer.nodes.empty()) throw std::invalid_argument("a vessel without a cut cannot be joined");
-    return {vessel, outer, rim_next_to(rims(vessel.rest, Side::inner), vessel.rest, middle(outer, vessel.rest.nodes))};
+    const std::vector<Rim> inner = rims(vessel.rest, Side::inner);
+    if (outer.nodes.empty() || inner.empty()) throw std::invalid_argument("a vessel without a cut across its lumen cannot be joined");
+    return {vessel, outer, rim_next_to(inner, vessel.rest, middle(outer, vessel.rest.nodes))};
 }
 
 // The cut's area over the mean length of its rims.

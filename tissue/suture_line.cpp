@@ -35,7 +35,7 @@ double overlap(const SewnEnd& other, const Skin::Spot& spot) {
 
 }  // namespace
 
-// Each edge in four, so that no piece is much longer than the wall is thick.
+// Four an edge of the rim, so that no piece is much longer than the wall is thick.
 std::vector<LinePiece> suture_line(const SewnEnd& end, const SewnEnd& other, double wall) {
     const int pieces = 4 * static_cast<int>(end.outer.nodes.size());
     const double reach = extent(end, other), length = end.outer.length / pieces;

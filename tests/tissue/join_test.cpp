@@ -29,6 +29,7 @@ struct Place {
 
 // Two vessels of 4 mm end to end along x, vessel 0 where x < 0, and what was sewn by hand.
 struct Operation {
+    explicit Operation(const TubeDef& tube = {}) : def(tube) {}
     TubeDef def;
     std::array<Mesh, 2> rest{turned_about(make_tube(def)), make_tube(def)};
     std::array<Skin, 2> skin{Skin(rest[0]), Skin(rest[1])};
@@ -147,6 +148,32 @@ TEST(Join, LeaksAsASlitRoundTheRing) {
     }
 }
 
+// Cut at 60 degrees: the slit is as wide as the cuts' planes are apart, and longer.
+TEST(Join, OfSlantedCuts) {
+    Operation operation({.cut_angle = 60});
+    EXPECT_LE(in_ml_per_min(operation.judge().leak()), 1e-12);
+    EXPECT_NEAR(operation.judge().lumen_ratio, 1, 1e-9);
+    operation.move([](int vessel, const Vec3& p) { return Vec3(p + vessel * 0.1 * mm * Vec3::UnitX()); });
+    const Join join = operation.judge();
+    const double gap = 0.1 * mm * std::sin(60 * degree);
+    double width = 0;
+    for (const LinePiece& piece : join.line) {
+        EXPECT_NEAR(piece.gap, gap, 1e-12);
+        width += piece.width;
+    }
+    EXPECT_NEAR(join.leak(), leak_of_slit(gap, width, join.wall), 1e-9 * join.leak());
+    EXPECT_GT(join.rim, perimeter(2 * mm));
+    EXPECT_EQ(committed(join), "");
+}
+
+// What a solver leaves of one wall in the other is no gap.
+TEST(Join, IsTightWhereWallsAreInEachOther) {
+    Operation operation;
+    operation.move([](int vessel, const Vec3& p) { return Vec3(p - vessel * 0.05 * mm * Vec3::UnitX()); });
+    EXPECT_LE(in_ml_per_min(operation.judge().leak()), 1e-12);
+    EXPECT_EQ(committed(operation.judge()), "");
+}
+
 TEST(Join, MeasuresACleanOne) {
     Operation operation;
     operation.stitches();
@@ -174,6 +201,39 @@ TEST(Join, MeasuresACleanOne) {
     double expected = 0;
     for (const SewnBite& bite : join.bites) expected += leak_of_slit(hole - diameter / 2, pi * (hole + diameter / 2), bite.through);
     EXPECT_NEAR(join.leak_of_holes, expected, 1e-12 * expected);
+}
+
+// A half circle of 1.5 mm drawn through both walls, which hold still, instead of bites by hand; the thread is tightened so far that it lies on the inside.
+TEST(Join, KnowsTheBitesOfANeedle) {
+    Operation operation;
+    constexpr double radius = 1.5 * mm, bite = 1.25 * mm, needle = 2.356;
+    const Vec3 up = operation.outwards(0), along = Vec3::UnitX();
+    const double side = perimeter(2 * mm) / 32 / std::tan(pi / 16);  // of the tube, from its axis
+    const Vec3 centre = (side + std::sqrt(radius * radius - bite * bite)) * up;
+    const auto out = [&](double turn) { return Vec3(-std::cos(turn) * along - std::sin(turn) * up); };
+    std::array<Bites, 2> bites{Bites({}, operation.rest[0]), Bites({}, operation.rest[1])};
+    for (double turn = 0; turn < pi + needle; turn += 0.01) {
+        const Arc arc{.centre = centre, .to_tail = out(turn - needle), .onwards = out(turn - needle + pi / 2), .radius = radius, .angle = needle};
+        for (const std::size_t v : {0, 1}) bites[v].press(&arc, operation.skin[v]), bites[v].settle(operation.skin[v]);
+    }
+    std::vector<Vec3> thread;
+    for (double turn = 0; turn < pi; turn += 0.02) {
+        const Vec3 at = centre + radius * out(turn);
+        if (at.dot(up) > 0.75 * side) thread.push_back(at);
+    }
+    const auto vessel = [&](std::size_t v) { return SewnVessel{operation.rest[v], operation.skin[v], bites[v].bites()}; };
+    const Join join = judge(vessel(0), vessel(1), {{thread}}, diameter);
+    ASSERT_EQ(join.bites.size(), 2u);
+    ASSERT_EQ(join.stitches.size(), 1u);
+    for (const SewnBite& sewn : join.bites) {
+        EXPECT_EQ(sewn.thread, 0);
+        EXPECT_FALSE(sewn.partial);
+        EXPECT_NEAR(sewn.size, bite, 0.05 * mm);                  // the tip goes in so deep before the skin gives way
+        EXPECT_NEAR(sewn.inside, std::sqrt(radius * radius - std::pow(centre.norm() - 0.75 * side, 2)), 0.05 * mm);
+    }
+    EXPECT_NEAR(join.stitches[0].obliqueness, 0, 1e-9);
+    EXPECT_NEAR(join.stitches[0].loop, 1, 0.02);                  // the arc in the wall over its chord
+    EXPECT_EQ(committed(join), "");
 }
 
 // Turned in space, and the other vessel named first.
