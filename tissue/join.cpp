@@ -99,7 +99,8 @@ Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const st
         const auto found = sewn_bites(ends[static_cast<std::size_t>(i)], i, around(ends[0]), threads, diameter);
         join.bites.insert(join.bites.end(), found.begin(), found.end());
     }
-    std::stable_sort(join.bites.begin(), join.bites.end(), [](const SewnBite& a, const SewnBite& b) { return std::tie(a.thread, a.along) < std::tie(b.thread, b.along); });
+    const auto is_before = [](const SewnBite& a, const SewnBite& b) { return std::tie(a.thread, a.along) < std::tie(b.thread, b.along); };
+    std::stable_sort(join.bites.begin(), join.bites.end(), is_before);
     join.stitches = stitches_of(join.bites, join.rim / (2 * pi));
     for (const std::size_t i : {0, 1}) join.spacing[i] = spacing_of(join.bites, join.stitches, i, ends[i].outer.length);
     join.arc_of_pass = arc_of_pass(join.bites);

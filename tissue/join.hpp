@@ -18,7 +18,7 @@ struct SewnVessel {
 struct LinePiece {
     double place = 0, length = 0;        ///< Of its middle; at rest [m].
     double gap = 0;                      ///< Least distance of the segment to the other vessel's skin; 0 where it is in that wall [m].
-    double overlap = 0;                  ///< How far from its rim, at rest, the other vessel's outer or inner side is met first; 0 where a wall or more is between [m].
+    double overlap = 0;                  ///< How far from the other vessel's rim, at rest, its outer or inner side is next; 0 where a gap of a wall or more is [m].
     double width = 0;                    ///< Now, mean of both rims [m].
 };
 
@@ -66,12 +66,12 @@ struct Join {
     double leak() const { return leak_of_line + leak_of_holes; }
 };
 
-/// Judges the join of two vessels by threads of one diameter [m], each a line of nodes. Both need a cut with rims. Once, when a drill ends: some 70 ms for two of 2300
-/// tetrahedra and eight threads. Throws std::invalid_argument for a vessel without a cut across its
-/// lumen.
+/// Judges the join of two vessels by threads of one diameter [m], each a line of nodes. Once, when a drill ends: some 70 ms for two of 2300 tetrahedra and eight
+/// threads. Throws std::invalid_argument for a vessel without a cut across its lumen.
 ///
 /// Leak: slits as wide as the gap along the line, through the wall or as far as ends overlap; at a bite from outside to the lumen a slit round its thread, or an
-/// open hole, where a needle is still in it too; the narrower hole decides. Torn walls leak no more than that, and an everted join that is open at its edge but closed further in leaks none the less.
+/// open hole, where a needle is still in it too; the narrower hole decides. Torn walls leak no more than that, and an everted join that is open at its edge but
+/// closed further in leaks none the less.
 /// Places on two rims are compared by their angles about one axis, at rest: a vessel turned on its axis since counts as stitched aslant.
 Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const std::vector<Vec3>> threads, double diameter, const Fluid& fluid = {});
 

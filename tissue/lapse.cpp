@@ -77,9 +77,11 @@ std::array<Lapse, 10> lapses(const Join& join, const LapseLimits& limits) {
     const auto count = [&](const auto& is) { return static_cast<double>(std::count_if(join.bites.begin(), join.bites.end(), is)); };
     const double arc = std::max(join.arc_of_pass, most(join.stitches, [](const Stitch& s) { return s.arc; })) / degree;
     const double oblique = most(join.stitches, [&](const Stitch& s) { return s.arc > limits.arc * degree ? 0 : s.obliqueness; }) / degree;
-    const double size = sewn([](const SewnBite& bite) { return bite.size; }), median = median_size(join), strain = sewn([](const SewnBite& bite) { return bite.strain; });
-    const double partial = count([](const SewnBite& bite) { return bite.thread >= 0 && bite.partial && !bite.both_walls; }), torn = count([](const SewnBite& bite) { return bite.torn; });
-    const double hole = most(join.bites, [](const SewnBite& bite) { return bite.hole; }), overlap = most(join.line, [](const LinePiece& piece) { return piece.overlap; });
+    const double size = sewn([](const SewnBite& bite) { return bite.size; }), median = median_size(join);
+    const double strain = sewn([](const SewnBite& bite) { return bite.strain; });
+    const double partial = count([](const SewnBite& bite) { return bite.thread >= 0 && bite.partial && !bite.both_walls; });
+    const double torn = count([](const SewnBite& bite) { return bite.torn; }), hole = most(join.bites, [](const SewnBite& bite) { return bite.hole; });
+    const double overlap = most(join.line, [](const LinePiece& piece) { return piece.overlap; });
     const Spacing apart = spacing(join);
     double loop = 1;
     for (const Stitch& s : join.stitches)

@@ -85,7 +85,8 @@ double lumen_ratio(const Rim& inner, const Mesh& rest, std::span<const Vec3> nod
     double least = area(inner, nodes, along.now) / area(inner, rest.nodes, along.rest);
     for (int k = 1; k <= sections; ++k) {
         const double off = diameter(inner) * k / sections;
-        const auto before = section_area(faces, rest.nodes, cut_rest + off * along.rest, along.rest), after = section_area(faces, nodes, cut_now + off * along.now, along.now);
+        const auto before = section_area(faces, rest.nodes, cut_rest + off * along.rest, along.rest);
+        const auto after = section_area(faces, nodes, cut_now + off * along.now, along.now);
         if (before && after) least = std::min(least, *after / *before);
     }
     return least;

@@ -26,7 +26,8 @@ OnThread place_on(std::span<const Vec3> thread, const Vec3& point) {
 // The larger of both principal stretches of a face: the root of the larger eigenvalue of C = F^T F.
 double stretch(const Mesh& rest, std::span<const Vec3> nodes, int face) {
     const auto& corners = rest.faces[static_cast<std::size_t>(face)].nodes;
-    const auto edge = [&](std::span<const Vec3> of, std::size_t k) { return Vec3(of[static_cast<std::size_t>(corners[k])] - of[static_cast<std::size_t>(corners[0])]); };
+    const auto at = [&](std::span<const Vec3> of, std::size_t k) -> const Vec3& { return of[static_cast<std::size_t>(corners[k])]; };
+    const auto edge = [&](std::span<const Vec3> of, std::size_t k) { return Vec3(at(of, k) - at(of, 0)); };
     const Vec3 a = edge(rest.nodes, 1), b = edge(rest.nodes, 2), x = a.normalized(), y = a.cross(b).cross(a).normalized();
     const Vec3 fx = edge(nodes, 1) / a.norm(), fy = (edge(nodes, 2) - b.dot(x) * fx) / b.dot(y);
     const double xx = fx.squaredNorm(), yy = fy.squaredNorm(), xy = fx.dot(fy), half = 0.5 * (xx - yy);

@@ -37,7 +37,8 @@ std::vector<Stitch> stitches_of(std::span<const SewnBite> bites, double radius) 
     std::vector<Stitch> found;
     for (std::size_t from = 0; from < bites.size();) {
         const std::size_t next = end_of_pass(from);
-        const bool goes_over = next < bites.size() && bites[from].thread >= 0 && bites[from].thread == bites[next].thread && bites[from].vessel != bites[next].vessel;
+        const bool is_same_thread = next < bites.size() && bites[from].thread >= 0 && bites[from].thread == bites[next].thread;
+        const bool goes_over = is_same_thread && bites[from].vessel != bites[next].vessel;
         const std::size_t end = goes_over ? end_of_pass(next) : next;
         if (goes_over) found.push_back(stitch(bites, from, end - 1, radius));
         from = end;
