@@ -66,7 +66,7 @@ struct Join {
     double leak() const { return leak_of_line + leak_of_holes; }
 };
 
-/// Judges the join of two vessels by threads of one diameter [m], each a line of nodes. Once, when a drill ends: some 6 ms for two of 2300 tetrahedra and eight
+/// Judges the join of two vessels by threads of one diameter [m], each a line of nodes. Once, when a drill ends: some 8 ms for two of 2300 tetrahedra and eight
 /// threads. Throws std::invalid_argument for a vessel without a cut across its lumen.
 ///
 /// Leak: slits as wide as the gap along the line, through the wall or as far as ends overlap; at a bite from outside to the lumen a slit round its thread, or an

@@ -17,7 +17,7 @@ struct Axis {
 Axis axis_at(const Rim& inner, const Mesh& rest, std::span<const Vec3> nodes, const Vec3& axis);
 
 /// Least area of the lumen next to a cut over what it is there at rest: of its inner rim, and of sections across the axis up to a diameter from there, a
-/// sixteenth of that apart. Sections that do not close are left out, as next to a slanted cut. 1 ms; the rim needs to have an area.
+/// sixteenth of that apart. Sections that do not close are left out, as next to a slanted cut. The rim needs to have an area.
 double lumen_ratio(const Rim& inner, const Mesh& rest, std::span<const Vec3> nodes, const Vec3& axis);
 
 /// How deep a point is in the lumen of either of two vessels whose ends meet: its distance to the nearest of both skins where that is an inner side which
