@@ -44,4 +44,12 @@ struct MaterialPoint {
     std::array<double, 4> weights{0.25, 0.25, 0.25, 0.25};  ///< Barycentric, of its corners; their sum is 1.
 };
 
+/// Where it is [m].
+inline Vec3 position(const MaterialPoint& point, const Mesh& mesh, std::span<const Vec3> nodes) {
+    const Tetrahedron& tet = mesh.tetrahedra[static_cast<std::size_t>(point.tetrahedron)];
+    Vec3 at = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) at += point.weights[k] * nodes[static_cast<std::size_t>(tet[k])];
+    return at;
+}
+
 }  // namespace tissue
