@@ -151,8 +151,8 @@ Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
     return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
 }
 
-// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip; along itself where it leaves the jaws, by
-// its radius a tick at most.
+// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip, by its radius a tick at most; halfway between how
+// it leaves the jaws and how it goes on: one that is bent back over them would be pulled tighter by leaving them straight.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
     const int last = static_cast<int>(thread_.tension().size()) - 1, inner = ahead ? grasp.first + grasp.count - 1 : grasp.first;
@@ -161,9 +161,9 @@ Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     double tight = 0;
     for (int k = link; k >= 0 && k <= last && at(thread_.tension(), k) > borne; k += outwards) tight += at(thread_.rest_lengths(), k);
     const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * tight;
-    const Vec3 along = grasp.count > 1 ? at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)
-                                       : at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner);
-    return std::min(slide, thread_.def().radius) * along.normalized();
+    const Vec3 goes = (at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner)).normalized();
+    const Vec3 leaves = grasp.count > 1 ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized()) : goes;
+    return std::min(slide, thread_.def().radius) * (goes + leaves).normalized();
 }
 
 // Jaws hold up to their grip force. Beyond it the strand slides between them along itself by just so much that the

@@ -34,6 +34,9 @@ struct Tool {
     bool closed = false;         ///< Jaws are shut on whatever they hold; with hysteresis.
     bool stopped = false;        ///< By another tool or a vessel, in this tick.
     bool slipping = false;       ///< The thread slid between the jaws in the last tick.
+
+    /// How far it is behind its hand, a turn taken at its jaws' length [m].
+    double lag() const { return instruments::way_between(now.pose, asked.pose, shape.jaw_length); }
 };
 
 /// Worst of the whole session so far; a drill's result quotes them.
