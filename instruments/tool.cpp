@@ -29,6 +29,11 @@ std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pos
     return {Capsule{world(0, front - shape.shaft_length), world(0, front), shape.shaft_radius}, jaw_at(1), jaw_at(-1)};
 }
 
+double way_between(const Pose& from, const Pose& to, double arm) {
+    const double turn = 2 * (from.rotation.conjugate() * to.rotation).vec().norm();
+    return (to.position - from.position).norm() + turn * arm;
+}
+
 Pose between(const Pose& from, const Pose& to, double t) {
     if (t <= 0) return from;
     if (t >= 1) return to;  // to the last bit, so that a motion that was not stopped ends where it was asked to

@@ -42,6 +42,9 @@ constexpr int part_count = 3;
 /// The tool's parts in the world frame at a pose with its jaws at `jaw` (0..1). Pure; no allocation.
 std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pose, double jaw);
 
+/// How far what is within `arm` [m] of a pose's origin is at most from where it is in another pose [m]; a turn counts by its chord.
+double way_between(const Pose& from, const Pose& to, double arm);
+
 /// Pose between two: position linear, rotation slerp (portable). t in [0, 1].
 Pose between(const Pose& from, const Pose& to, double t);
 

@@ -57,7 +57,7 @@ Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before
     frame.nodes = sim::thread::resample(world.thread(), world.def().thread.links);
     for (const auto& tool : world.tools()) {
         for (const auto& part : instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw)) frame.tools.push_back(part);
-        if (!tool.grasps.empty()) frame.lag = std::max(frame.lag, (tool.asked.pose.position - tool.now.pose.position).norm());
+        if (!tool.grasps.empty()) frame.lag = std::max(frame.lag, tool.lag());
     }
     frame.report.stretch_max = world.stretch_now();
     frame.report.separation_min = world.worst().separation;

@@ -79,7 +79,7 @@ void Session::sample() {
         const auto& tool = world_.tools()[i];
         const auto& asked = tool.asked.pose.position;
         sample.tool_speed_mm_s.push_back(1e3 * (asked - last_inputs_[i].pose.position).norm() / since_last);
-        sample.tool_lag_mm.push_back(1e3 * (asked - tool.now.pose.position).norm());
+        sample.tool_lag_mm.push_back(1e3 * tool.lag());
         sample.held.push_back(!tool.grasps.empty());
         last_inputs_[i] = tool.asked;
     }

@@ -175,7 +175,7 @@ Shape bands() {
          {"grasps", per_instrument("Times the thread was grasped.", 10000, ""), false, json::object()},
          {"tension_N", band("Largest tension of the thread.", 200, "N"), false},
          {"lag_mm",
-          per_instrument("Largest distance between hand and tool when a taut thread holds it back.", 1000, "mm"), false,
+          per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a jaw's length.", 1000, "mm"), false,
           json::object()},
          {"pass_throughs", band("Times the thread passed through something.", 1e9, ""), false, json{{"max", 0}}}});
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "scenarios/world/jaw_room.hpp"
 #include "scenarios/world/world.hpp"
@@ -45,6 +46,33 @@ void flatten(Grasp& grasp, const JawRoom& room) {
 template <class T>
 const T& at(std::span<const T> values, int i) { return values[static_cast<std::size_t>(i)]; }
 
+// Where a link meets the middle plane; its y is set, as interpolation leaves a rounding error there.
+Vec3 crossing(const Vec3& a, const Vec3& b) {
+    Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
+    p.y() = 0;
+    return p;
+}
+
+// What jaws of this width hold of a strand whose link passes through their middle plane y = 0 between them, or ends there: its nodes and those
+// beside it within the jaws, and one beyond on either side; the thread's last node is `last`. So the first free link starts outside the metal: one between the jaws with a free
+// end would be wedged in them. Nothing (count 0) where the link does not pass.
+template <class Place, class IsFree>
+Grasp strand_between(const JawRoom& room, double width, int link, int last, const Place& place, const IsFree& is_free) {
+    const auto within = [&](int k) { return is_free(k) && room.holds(place(k), width); };
+    int from = link, to = link + 1;
+    if (!is_free(from) || !is_free(to)) return {};
+    const Vec3 a = place(from), b = place(to);
+    const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(crossing(a, b), 0);
+    const bool ends = (from == 0 && within(from)) || (to == last && within(to));
+    if (!passes && !ends) return {};
+    const auto take = [&](int k) { return is_free(k) && to - from + 2 < Grasp::most; };
+    while (take(from - 1) && within(from)) --from;
+    while (take(to + 1) && within(to)) ++to;
+    Grasp grasp{from, to - from + 1, {}};
+    for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
+    return grasp;
+}
+
 }  // namespace
 
 bool World::is_held(int node) const {
@@ -55,37 +83,22 @@ bool World::is_held(int node) const {
     return false;
 }
 
-// Closing jaws hold every strand that passes through their middle plane y = 0 between them, or ends there: by the nodes of
-// the link that passes and those beside it within the jaws' width. A loop that only lies round open jaws is not held.
-// Two tools on one strand hold different nodes. The thread lies where the last tick left it, so it is held by where the tool
-// was then, and goes along with it in this tick already.
+// Closing jaws hold every strand that passes between them. A loop that only lies round open jaws is not held. Two tools on one strand hold
+// different nodes. The thread lies where the last tick left it, so it is held by where the tool was then, and goes along with it in this tick
+// already.
 void World::take_hold(Tool& tool) {
     const JawRoom room(tool.shape, tool.now.jaw);
-    const int last = static_cast<int>(thread_.nodes().size()) - 1;
-    const auto place = [&](int k) { return in_tool(tool.before, thread_.nodes()[static_cast<std::size_t>(k)]); };
-    // Where a link meets the middle plane; its y is set, as interpolation leaves a rounding error there.
-    const auto crossing = [](const Vec3& a, const Vec3& b) {
-        Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
-        p.y() = 0;
-        return p;
-    };
-    const auto within = [&](int k) { return k >= 0 && k <= last && !is_held(k) && room.holds(place(k), tool.shape.jaw_radius); };
+    const auto nodes = thread_.nodes();
+    const int last = static_cast<int>(nodes.size()) - 1;
+    const auto place = [&](int k) { return in_tool(tool.before, at(nodes, k)); };
+    const auto is_free = [&](int k) { return k >= 0 && k <= last && !is_held(k); };
     for (int i = 0; i < last; ++i) {
-        const Vec3 a = place(i), b = place(i + 1);
-        const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(crossing(a, b), 0);
-        const bool ends = (i == 0 && within(0)) || (i + 1 == last && within(last));
-        if ((!passes && !ends) || is_held(i) || is_held(i + 1)) continue;
-        int from = i, to = i + 1;
-        // One node beyond the jaws' width on either side, so that the first free link starts outside the metal.
-        const auto take = [&](int k) { return k >= 0 && k <= last && !is_held(k) && to - from + 2 < Grasp::most; };
-        while (take(from - 1) && within(from)) --from;
-        while (take(to + 1) && within(to)) ++to;
-        Grasp grasp{from, to - from + 1, {}};
-        for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
+        const Grasp grasp = strand_between(room, tool.shape.jaw_radius, i, last, place, is_free);
+        if (grasp.count == 0) continue;
         tool.grasps.push_back(grasp);
         log("grasp", tool.def.name, 1e3 * std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
         ++measures_.grasps[static_cast<std::size_t>(&tool - tools_.data())];
-        i = to;
+        i = grasp.first + grasp.count - 1;
     }
 }
 
@@ -121,8 +134,8 @@ Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
     return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
 }
 
-// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip; along itself where it leaves the jaws, by
-// its radius a tick at most.
+// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip, by its radius a tick at most; halfway between how
+// it leaves the jaws and how it goes on: one that is bent back over them would be pulled tighter by leaving them straight.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
     const int last = static_cast<int>(thread_.tension().size()) - 1, inner = ahead ? grasp.first + grasp.count - 1 : grasp.first;
@@ -131,9 +144,9 @@ Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     double tight = 0;
     for (int k = link; k >= 0 && k <= last && at(thread_.tension(), k) > borne; k += outwards) tight += at(thread_.rest_lengths(), k);
     const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * tight;
-    const Vec3 along = grasp.count > 1 ? at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)
-                                       : at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner);
-    return std::min(slide, thread_.def().radius) * along.normalized();
+    const Vec3 goes = (at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner)).normalized();
+    const Vec3 leaves = grasp.count > 1 ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized()) : goes;
+    return std::min(slide, thread_.def().radius) * (goes + leaves).normalized();
 }
 
 // Jaws hold up to their grip force. Beyond it the strand slides between them along itself by just so much that the
@@ -146,23 +159,19 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     const Vec3 slide = is_elastic() ? slide_by_stretch(tool, grasp) : slide_by_lag(tool, grasp);
     const Vec3 shift = tool.now.pose.rotation.conjugate() * slide;
 
-    // What the jaws hold now: the nodes that are in their room after the shift, in the place they then have.
-    const JawRoom room(tool.shape, tool.now.jaw);
-    Grasp shifted{0, 0, {}};
+    // What the jaws hold now: what lies between them after the shift, in the place it then has.
     const int last = static_cast<int>(nodes.size()) - 1;
-    for (int k = std::max(0, grasp.first - 1); k <= std::min(last, grasp.first + grasp.count); ++k) {
-        const bool was_held = k >= grasp.first && k < grasp.first + grasp.count;
-        if (!was_held && is_held(k)) continue;
-        // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
-        const bool from_anchor = was_held && !is_elastic();
-        const Vec3 place = shift + (from_anchor ? grasp.anchor[static_cast<std::size_t>(k - grasp.first)] : in_tool(tool.now, at(nodes, k)));
-        const double half_link = 0.5 * thread_.rest_lengths()[static_cast<std::size_t>(std::min(k, last - 1))];
-        if (std::abs(place.y()) > tool.shape.jaw_radius + 2 * half_link || !room.holds({0, 0, place.z()}, 0)) continue;
-        if (shifted.count == Grasp::most || (shifted.count > 0 && k != shifted.first + shifted.count)) break;
-        if (shifted.count == 0) shifted.first = k;
-        shifted.anchor[static_cast<std::size_t>(shifted.count++)] = place;
-    }
-    grasp = shifted;
+    const Grasp before = std::exchange(grasp, Grasp{});
+    // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
+    const auto place = [&](int k) -> Vec3 {
+        const int held = k - before.first;
+        const bool from_anchor = !is_elastic() && held >= 0 && held < before.count;
+        return shift + (from_anchor ? before.anchor[static_cast<std::size_t>(held)] : in_tool(tool.now, at(nodes, k)));
+    };
+    const auto is_free = [&](int k) { return k >= 0 && k <= last && !is_held(k); };
+    const JawRoom room(tool.shape, tool.now.jaw);
+    for (int i = before.first - 1; i < before.first + before.count && grasp.count == 0; ++i)
+        grasp = strand_between(room, tool.shape.jaw_radius, i, last, place, is_free);
     return grasp.count > 0;
 }
 

@@ -63,7 +63,7 @@ void World::measure(const sim::thread::TickReport& report) {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
         if (!tool.grasps.empty() && !tool.stopped)  // by steel or a wall: what it lacks then is no pull on the thread
-            raise(measures_.lag_max_mm[i], 1e3 * (tool.asked.pose.position - tool.now.pose.position).norm(), t);
+            raise(measures_.lag_max_mm[i], 1e3 * tool.lag(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
     }
     name_beside();

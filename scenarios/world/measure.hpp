@@ -28,7 +28,7 @@ struct Measures {
     std::vector<int> grasps;                   ///< Per instrument.
     Moment tension_max_N;
     std::vector<Moment> lag_max_mm;            ///< Per instrument that holds thread and that nothing else stops: commanded
-                                               ///< against simulated tip.
+                                               ///< against simulated tip, turns at a jaw's length.
     std::uint64_t pass_throughs = 0;
     double first_pass_through_s = 0;
 };

@@ -18,10 +18,7 @@ void World::tick(std::span<const ToolInput> inputs) {
 // set free, it would else leap, and whip the thread.
 static ToolInput within_a_tick(const Tool& tool, const ToolInput& wanted, double tick_s) {
     constexpr double catching_up = 0.1;  // [m/s]
-    const auto way_from = [&](const instruments::Pose& from) {
-        const double turn = 2 * (from.rotation.conjugate() * wanted.pose.rotation).vec().norm();
-        return (wanted.pose.position - from.position).norm() + turn * tool.shape.jaw_length;
-    };
+    const auto way_from = [&](const instruments::Pose& from) { return instruments::way_between(from, wanted.pose, tool.shape.jaw_length); };
     const double behind = way_from(tool.now.pose), most = way_from(tool.asked.pose) + catching_up * tick_s;
     return behind > most ? ToolInput{instruments::between(tool.now.pose, wanted.pose, most / behind), wanted.jaw} : wanted;
 }

@@ -47,6 +47,9 @@ struct Tool {
     bool stopped = false;        ///< By another tool or a vessel, in this tick.
     bool slipping = false;       ///< The thread slid between the jaws in the last tick.
     std::vector<WallGrip> walls = {};
+
+    /// How far it is behind its hand, a turn taken at its jaws' length [m].
+    double lag() const { return instruments::way_between(now.pose, asked.pose, shape.jaw_length); }
 };
 
 /// Who holds the needle, and how.

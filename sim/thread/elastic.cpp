@@ -9,15 +9,30 @@ namespace sim::thread {
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// How much nearer the step may bring what a contact is of: no point of a link goes farther than one of its ends.
+static double nearing(std::span<const Vec3> step, const Contact& c) {
+    const Vec3 &a = step[at(c.link)], &b = step[at(c.link + 1)];
+    if (c.against != Against::thread) return std::max(a.norm(), b.norm());
+    const Vec3 &from = step[at(c.other)], &to = step[at(c.other + 1)];
+    return std::max({(a - from).norm(), (a - to).norm(), (b - from).norm(), (b - to).norm()});
+}
+
 // The largest share of the step that leaves every node within its bound, no contact's points farther along each other than links see
-// straight, and what was too far to push just touching.
+// straight, and what was too far to push, or for a row, just touching.
 static double share_within_bounds(const State& state) {
     constexpr double for_lengths = 0.9, for_turning = 0.3;
     const double most = for_turning * 2 * state.def.radius;
     const std::span<const Vec3> step = state.rod->step_found();
     double share = 1;
     const auto limit = [&](double size, double to) { if (size > to) share = std::min(share, to / size); };
-    for (std::size_t i = 0; i < step.size(); ++i) limit(step[i].norm(), for_lengths * state.bound[i]);
+    double largest = 0;
+    for (std::size_t i = 0; i < step.size(); ++i) {
+        const double size = step[i].norm();
+        largest = std::max(largest, size);
+        limit(size, for_lengths * state.bound[i]);
+    }
+    for (const Contact& c : state.contacts)
+        if (const double room = c.gap - c.thickness; room >= closing(state) && 2 * largest > room) limit(nearing(step, c), room);
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
         if (press.push.squaredNorm() > 0 && press.row->against == Against::thread)

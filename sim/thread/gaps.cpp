@@ -37,7 +37,7 @@ static Row row_of(const State& state, const Contact& c, const ClosestPair& pair)
 }
 
 // A substep moves what touches by less than a radius each; what is missed now is met next time, outside its bound still.
-static double closing(const State& state) { return 1.9 * state.def.radius; }
+double closing(const State& state) { return 1.9 * state.def.radius; }
 
 // Brings the gap up to date where it may matter. Nothing has come nearer by more than twice `moved` since it was measured,
 // and a link is no nearer to a triangle than to its plane: what that leaves far enough off need not be measured again.

@@ -152,8 +152,8 @@ static Vec3 push_of(const Press& press, const Vec3& lacks) {
     const Vec3& n = press.row->normal;
     const double before = press.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / press.gives);
     Vec3 drag = press.push - before * n + press.along * (lacks - (normal - before) * press.across);
-    const double size = drag.norm(), most = press.row->friction * normal;
-    if (size > most) drag *= most / size;
+    const double size2 = drag.squaredNorm(), most = press.row->friction * normal;
+    if (size2 > most * most) drag *= most / std::sqrt(size2);
     return normal * n + drag;
 }
 
@@ -196,7 +196,9 @@ static double sweep(State& state, const Responses& responses) {
     double changed = 0, all = 0;
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
-        const Vec3 push = push_of(press, press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - give * press.push), more = push - press.push;
+        const Vec3 lacks = press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - give * press.push;
+        if (press.push.squaredNorm() == 0 && lacks.dot(press.row->normal) <= 0) continue;  // as half of them
+        const Vec3 push = push_of(press, lacks), more = push - press.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
         if (more.squaredNorm() > 0) push_more(state, responses, c, more);
     }

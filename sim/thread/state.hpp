@@ -262,6 +262,9 @@ bool look_around(State& state, double way);
 /// Gaps of all contacts as the nodes stand, the bound of each node from them, and the rows (gaps.cpp).
 void measure_gaps(State& state, double way);
 
+/// What is farther off than where it touches by this has no row [m].
+double closing(const State& state);
+
 /// Only how far links are from tools; rows are not to be used before measure_gaps().
 void measure_tool_gaps(State& state);
 
