@@ -80,8 +80,10 @@ class Rod {
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
     void end();
 
-    /// Between steps: a link cut at its middle, and two links made one where they meet. resize() after the last of them.
-    void halve(std::size_t link);
+    /// Between steps: a link made two, and two links made one where they meet; nodes between two left out, with a cut instead, of
+    /// length 0. resize() after the last of them. A rod that is cut goes by stages alone and carries no twist.
+    void split(std::size_t link, double share);
+    void leave_out(std::size_t first, std::size_t second);
     void join_at(std::size_t node);
     void resize();
     void reserve(std::size_t links);
@@ -91,7 +93,7 @@ class Rod {
     std::span<const Vec3> velocity() const { return now_.velocity; }  ///< [m/s]
     std::span<const double> rest_lengths() const { return rest_; }
     std::span<const double> natural_bends() const { return natural_; }  ///< Of each node when unloaded, as the difference of its links' tangents.
-    double tension(int link) const;        ///< [N], negative where it is pushed together.
+    double tension(int link) const;        ///< [N], negative where it is pushed together; 0 of a cut.
     double twist_moment() const;           ///< [N m], the same all along.
     Vec3 hold_force(int node) const;       ///< What a hold pulled with in the last step [N].
     double twist() const { return now_.twist; }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
@@ -115,6 +117,7 @@ class Rod {
         Vec3 pull, aside;
         double own;
     };
+    bool is_cut(std::size_t link) const { return rest_[link] == 0; }
     static void measure(const std::vector<Vec3>& x, std::vector<Link>& links);
     double energy_of(const std::vector<Link>& links) const;
 

@@ -9,8 +9,8 @@ using Block = ChainMatrix::Block;
 
 // What a bend at a node between links a and b is worth: B over the thread between their middles, for half the square of the
 // difference of their tangents. That is twice the sine of half their angle, which makes the curvature that of the circle through
-// three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error.
-static double bend_stiffness(const RodDef& def, double a, double b) { return 2 * def.bending_stiffness() / (a + b); }
+// three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error. Nothing bends at a cut.
+static double bend_stiffness(const RodDef& def, double a, double b) { return a > 0 && b > 0 ? 2 * def.bending_stiffness() / (a + b) : 0; }
 
 void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
     links.resize(x.size() - 1);
@@ -24,6 +24,7 @@ void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
 double Rod::energy_of(const std::vector<Link>& links) const {
     double sum = 0;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
+        if (is_cut(k)) continue;
         const double strain = links[k].length / rest_[k] - 1;
         sum += 0.5 * def_.axial_stiffness(rest_[k]) * rest_[k] * strain * strain;
         if (k == 0) continue;
@@ -47,6 +48,11 @@ double Rod::energy(const std::vector<Vec3>& x, std::vector<Link>& links) {
 void Rod::add_stretch(Keep keep) {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         Link& link = links_[k];
+        if (is_cut(k)) {
+            link.pull = link.aside = Vec3::Zero();
+            link.own = 0;
+            continue;
+        }
         const double axial = def_.axial_stiffness(rest_[k]);
         // A link that is pushed together would fall aside.
         const double across = (keep == Keep::whole ? now_.tension[k] : std::max(0.0, now_.tension[k])) / link.length;

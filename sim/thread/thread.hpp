@@ -66,7 +66,12 @@ struct TickReport {
     bool not_finite = false;        ///< Input was not finite; the tick was not taken.
 };
 
-/// The thread as it is now.
+/// What cuts leave whole: nodes `first` to `last`, at least two.
+struct Piece {
+    int first, last;
+};
+
+/// The thread as it is now, in one piece or, once it was cut, several.
 class Thread {
   public:
     /// Nodes at `nodes` [m], at least 2; rest lengths are the distances between them.
@@ -83,9 +88,17 @@ class Thread {
     /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n).
     bool fit_links(std::span<int> held);
 
+    /// Between ticks: cuts the thread at `share` (0..1) of a link, or where it broke there. Its pieces follow each other among the
+    /// nodes, the link between them is a cut. Their round ends just touch, and nothing moves: the thread loses a thickness of its length
+    /// and, where what would be left of a link is shorter than the radius and a quarter of it, that as well. `held` as in fit_links; -1
+    /// where a node is no more. False, and nothing is cut, where either piece would have no link left. May allocate; O(n).
+    bool cut(int link, double share, std::span<int> held);
+
     const ThreadDef& def() const;
     std::span<const Vec3> nodes() const;             ///< n + 1 positions [m].
-    std::span<const double> rest_lengths() const;    ///< n [m]; change only in fit_links.
+    std::span<const double> rest_lengths() const;    ///< n [m], 0 of a cut; change only in fit_links and cut.
+    bool is_cut(int link) const { return rest_lengths()[static_cast<std::size_t>(link)] == 0; }
+    std::vector<Piece> pieces() const;               ///< In their order along the thread.
     std::span<const double> tension() const;         ///< n, estimate [N]: what a thread of this stiffness would carry.
     double progress(int owner) const;                ///< Share of its motion that a tool made in the last tick.
     std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.
