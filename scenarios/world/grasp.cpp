@@ -2,42 +2,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {
 
 namespace {
-
-// Jaws count as shut below the first and as let go above the second, so a trembling hand does not chatter.
-constexpr double shut_below = 0.25, open_above = 0.40;
-
-Vec3 in_tool(const ToolInput& tool, const Vec3& world_point) {
-    return tool.pose.rotation.conjugate() * (world_point - tool.pose.position);
-}
-
-// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the hinge
-// to the tip along z.
-struct JawRoom {
-    instruments::Capsule plus, minus;
-
-    JawRoom(const instruments::ToolShape& shape, double jaw) {
-        const auto parts = instruments::parts_at(shape, {}, jaw);
-        plus = parts[instruments::jaw_plus];
-        minus = parts[instruments::jaw_minus];
-        if (plus.a.z() > plus.b.z()) std::swap(plus.a, plus.b);
-        if (minus.a.z() > minus.b.z()) std::swap(minus.a, minus.b);
-    }
-    double axis_x(const instruments::Capsule& jaw, double z) const {
-        const double t = std::clamp((z - jaw.a.z()) / (jaw.b.z() - jaw.a.z()), 0.0, 1.0);
-        return jaw.a.x() + t * (jaw.b.x() - jaw.a.x());
-    }
-    bool holds(const Vec3& p, double reach_y) const {
-        if (p.z() < plus.a.z() || p.z() > plus.b.z() + plus.radius) return false;
-        return std::abs(p.y()) <= reach_y && p.x() <= axis_x(plus, p.z()) && p.x() >= axis_x(minus, p.z());
-    }
-    /// Half of the gap between the jaws' surfaces at z; not negative.
-    double half_gap(double z) const { return std::max(0.0, axis_x(plus, z) - plus.radius); }
-};
 
 // The closing jaws lay the strand flat between their inner faces; each link keeps its length and, in the plane of the
 // jaws, its direction.
@@ -85,23 +55,18 @@ void World::take_hold(Tool& tool) {
     const JawRoom room(tool.shape, tool.now.jaw);
     const int last = static_cast<int>(thread_.nodes().size()) - 1;
     const auto place = [&](int k) { return in_tool(tool.before, thread_.nodes()[static_cast<std::size_t>(k)]); };
-    // Where a link meets the middle plane; its y is set, as interpolation leaves a rounding error there.
-    const auto crossing = [](const Vec3& a, const Vec3& b) {
-        Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
-        p.y() = 0;
-        return p;
-    };
-    const auto within = [&](int k) { return k >= 0 && k <= last && !is_held(k) && room.holds(place(k), tool.shape.jaw_radius); };
+    const auto is_first = [&](int k) { return k == 0 || thread_.is_cut(k - 1); };
+    const auto is_last = [&](int k) { return k == last || thread_.is_cut(k); };
+    const auto within = [&](int k) { return !is_held(k) && room.holds(place(k), tool.shape.jaw_radius); };
     for (int i = 0; i < last; ++i) {
         const Vec3 a = place(i), b = place(i + 1);
-        const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(crossing(a, b), 0);
-        const bool ends = (i == 0 && within(0)) || (i + 1 == last && within(last));
-        if ((!passes && !ends) || is_held(i) || is_held(i + 1)) continue;
+        const bool passes = room.is_passed_by(a, b), ends = (is_first(i) && within(i)) || (is_last(i + 1) && within(i + 1));
+        if (thread_.is_cut(i) || (!passes && !ends) || is_held(i) || is_held(i + 1)) continue;
         int from = i, to = i + 1;
         // One node beyond the jaws' width on either side, so that the first free link starts outside the metal.
-        const auto take = [&](int k) { return k >= 0 && k <= last && !is_held(k) && to - from + 2 < Grasp::most; };
-        while (take(from - 1) && within(from)) --from;
-        while (take(to + 1) && within(to)) ++to;
+        const auto take = [&](int k) { return !is_held(k) && to - from + 2 < Grasp::most; };
+        while (!is_first(from) && take(from - 1) && within(from)) --from;
+        while (!is_last(to) && take(to + 1) && within(to)) ++to;
         Grasp grasp{from, to - from + 1, {}};
         for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
         tool.grasps.push_back(grasp);
@@ -113,6 +78,7 @@ void World::take_hold(Tool& tool) {
 
 void World::update_grasps() {
     for (Tool& tool : tools_) {
+        if (tool.def.kind == instruments::Kind::scissors) continue;  // they never hold
         if (!tool.closed && tool.now.jaw < shut_below) {
             tool.closed = true;
             take_hold(tool);
@@ -166,14 +132,15 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     // What the jaws hold now: the nodes that are in their room after the shift, in the place they then have.
     const JawRoom room(tool.shape, tool.now.jaw);
     Grasp shifted{0, 0, {}};
-    const int last = static_cast<int>(nodes.size()) - 1;
-    for (int k = std::max(0, grasp.first - 1); k <= std::min(last, grasp.first + grasp.count); ++k) {
+    const int end = grasp.first + grasp.count, last = static_cast<int>(nodes.size()) - 1;
+    const auto is_joined = [&](int link) { return link >= 0 && link < last && !thread_.is_cut(link); };
+    for (int k = grasp.first - is_joined(grasp.first - 1); k < end + is_joined(end - 1); ++k) {
         const bool was_held = k >= grasp.first && k < grasp.first + grasp.count;
         if (!was_held && is_held(k)) continue;
         // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
         const bool from_anchor = was_held && !is_elastic();
         const Vec3 place = shift + (from_anchor ? grasp.anchor[static_cast<std::size_t>(k - grasp.first)] : in_tool(tool.now, at(nodes, k)));
-        const double half_link = 0.5 * thread_.rest_lengths()[static_cast<std::size_t>(std::min(k, last - 1))];
+        const double half_link = 0.5 * at(thread_.rest_lengths(), is_joined(k) ? k : k - 1);
         if (std::abs(place.y()) > tool.shape.jaw_radius + 2 * half_link || !room.holds({0, 0, place.z()}, 0)) continue;
         if (shifted.count == Grasp::most || (shifted.count > 0 && k != shifted.first + shifted.count)) break;
         if (shifted.count == 0) shifted.first = k;

@@ -4,18 +4,23 @@
 
 namespace scenarios::world {
 
+static double section(const ThreadDef& def) {
+    constexpr double quarter_pi = 0.78539816339744831;
+    return quarter_pi * def.diameter * def.diameter;  // [m^2]
+}
+
 static sim::thread::RodDef elastic(const ThreadDef& def) {
     constexpr double g = 9.81;
     sim::thread::RodDef rod{.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .keeps_shape = true,
                             .quasi_static = !def.swings, .yield_strain = def.yield_strain};
     if (def.stretches) rod.axial_over_bending = 0;
+    constexpr double beyond = 1.05;  // tools wait a hundredth below the most
+    rod.most_strain = std::max(rod.most_strain, beyond * def.break_force / (def.young_modulus * section(def)));
     if (def.weighs) rod.gravity = {0, 0, -g};
     return rod;
 }
 
 static sim::thread::Thread make_thread(const ThreadDef& def) {
-    constexpr double quarter_pi = 0.78539816339744831;
-    const double section = quarter_pi * def.diameter * def.diameter;
     // The path may be longer or shorter than the thread: cut it, or go on straight.
     std::vector<Vec3> path{def.start.front()};
     double left = def.length;
@@ -26,7 +31,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
         path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
         left -= length;
     }
-    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link, def.contacts_per_tick};
+    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section(def), def.shortest_link, def.contacts_per_tick};
     if (def.model == "elastic") thread.elastic = elastic(def);
     return {thread, sim::thread::resample(path, def.links)};
 }
@@ -74,6 +79,7 @@ std::uint64_t World::hash() const {
                 for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
         }
     }
+    if (pulled_s_ > 0) add(pulled_s_);
     return hash;
 }
 

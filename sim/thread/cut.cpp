@@ -63,7 +63,30 @@ void leave_out(State& state, std::size_t first, std::size_t second, std::span<in
     }
 }
 
+// By how much it is bent, from the shape that it keeps, at the end where that is more [1/m].
+double curvature(const State& state, std::size_t link) {
+    const auto at = [&](std::size_t node) {
+        if (state.is_end(node)) return 0.0;
+        const double natural = state.rod ? state.rod->natural_bends()[node] : 0;
+        return 2 * std::abs(turn_at(state, node) - natural) / (state.rest[node - 1] + state.rest[node]);
+    };
+    return std::max(at(link), at(link + 1));
+}
+
 }  // namespace
+
+int most_loaded(const State& state) {
+    int found = -1;
+    double most = 0;
+    for (std::size_t k = 0; k < state.rest.size(); ++k) {
+        if (state.is_cut(k) || state.tension[k] <= 0) continue;
+        const double load = state.tension[k] * (1 + state.def.radius * curvature(state, k));
+        if (load <= most || !end_of_stub(state, k, 0.5, -1) || !end_of_stub(state, k, 0.5, +1)) continue;
+        most = load;
+        found = static_cast<int>(k);
+    }
+    return found;
+}
 
 bool cut(State& state, std::size_t link, double share, std::span<int> held) {
     if (state.is_cut(link)) return false;
@@ -77,10 +100,7 @@ bool cut(State& state, std::size_t link, double share, std::span<int> held) {
     renew(state);
     state.moved = 0;  // no link is joined before we have looked around again
     state.unfinished.pace = -1;
-    for (Pace& pace : state.paces) {  // what was jammed may be free
-        pace.waits = pace.jams_in_a_row = 0;
-        pace.stuck = false;
-    }
+    for (Pace& pace : state.paces) pace = {.refused = std::move(pace.refused)};  // what was jammed may be free
     return true;
 }
 

@@ -15,8 +15,7 @@ static double sagitta(double l, double turn) { return l * turn / 8; }
 
 static Vec3 direction(const State& state, std::size_t link) { return (state.nodes[link + 1] - state.nodes[link]).stableNormalized(); }
 
-// By how much the thread turns at a node [rad], as the chord of the angle; not at all at the ends of a piece.
-static double turn_at(const State& state, std::size_t node) {
+double turn_at(const State& state, std::size_t node) {
     return state.is_end(node) ? 0 : (direction(state, node) - direction(state, node - 1)).norm();
 }
 

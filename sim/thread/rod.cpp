@@ -17,7 +17,7 @@ double RodDef::axial_stiffness(double link) const {
     const double shorter = std::max(1.0, 0.5 * radius / link);  // than where it would stretch rather than bend
     return young * std::numbers::pi * radius * radius * shorter * shorter;
 }
-double RodDef::most_pull() const { return 0.1 * young * std::numbers::pi * radius * radius; }
+double RodDef::most_pull() const { return most_strain * young * std::numbers::pi * radius * radius; }
 // Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
 // thickness.
 double RodDef::contact_stiffness(double link) const { return 10 * axial_stiffness(link) / (2 * radius); }

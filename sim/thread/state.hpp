@@ -317,6 +317,9 @@ void split(State& state, std::size_t link, double share, std::span<int> held);
 void renew(State& state);
 /// As Thread::cut (cut.cpp).
 bool cut(State& state, std::size_t link, double share, std::span<int> held);
+int most_loaded(const State& state);
+/// By how much the thread turns at a node [rad], as the chord of the angle; not at all at the ends of a piece.
+double turn_at(const State& state, std::size_t node);
 
 /// Tension estimate of every link from how far the held nodes lag behind their targets (tension.cpp).
 void estimate_tension(State& state);

@@ -90,6 +90,7 @@ TickReport Thread::tick(const TickInput& input) { return thread::tick(impl_->sta
 
 bool Thread::fit_links(std::span<int> held) { return thread::fit_links(impl_->state, held); }
 bool Thread::cut(int link, double share, std::span<int> held) { return thread::cut(impl_->state, static_cast<std::size_t>(link), share, held); }
+int Thread::most_loaded() const { return thread::most_loaded(impl_->state); }
 
 std::vector<Piece> Thread::pieces() const {
     std::vector<Piece> pieces{{0, impl_->state.links()}};

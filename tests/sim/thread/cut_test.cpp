@@ -154,6 +154,62 @@ TEST(Cut, PiecesGoTheirOwnWays) {
     }
 }
 
+// One piece goes as it would if it were all there is: straight tails between two hands that go the same way must not be carried along as
+// if they were one taut thread.
+TEST(Cut, APieceGoesAsAThreadOfItsOwnDoes) {
+    for (const ThreadDef& def : {ftl(), elastic()}) {
+        SCOPED_TRACE(def.elastic ? "elastic" : "ftl");
+        Thread both(def, straight(60));
+        Hands hands(both);
+        ASSERT_TRUE(hands.cut(both, 29, 0.5));
+        const auto last = both.pieces().front().last;
+        Thread alone(def, {both.nodes().begin(), both.nodes().begin() + last + 1});
+        Hands hand(alone);
+        const Vec3 up(0, 0.02e-3, 0);
+        for (int i = 0; i < 100; ++i) {
+            hands.take(both, up, up, 1);
+            const Hold hold[] = {{0, at(alone, 0) + up}};
+            constexpr int owner[] = {0};
+            alone.tick({hold, owner, {}, nullptr, tick});
+        }
+        EXPECT_LT(at(alone, last).y(), 0.9 * at(alone, 0).y()) << "nothing to tell apart";
+        for (int i = 0; i <= last; ++i) EXPECT_LE((at(both, i) - at(alone, i)).norm(), 0.1 * thickness) << i;
+    }
+}
+
+// A bend that no thread can make is none across a cut: an end laid beside the other piece must not push it away.
+TEST(Cut, AnEndLiesBesideTheOtherPiece) {
+    std::vector<Vec3> start = straight(20);
+    for (Vec3& p : start) p *= 6;
+    Thread thread(ftl(), start);
+    std::array<int, 1> held{20};
+    ASSERT_TRUE(thread.cut(9, 0.5, held));
+    const Piece first = thread.pieces()[0], second = thread.pieces()[1];
+    const Vec3 before = at(thread, first.last - 1), to = at(thread, first.last) + Vec3(-4 * thickness, 1.5 * thickness, 0);
+    const Vec3 from = at(thread, second.first);
+    for (int i = 1; i <= 200; ++i) {
+        const double up = std::min(1.0, i / 100.0), along = std::max(0.0, i / 100.0 - 1);
+        const Hold hold[] = {{second.first, from + Vec3(along * (to - from).x(), up * (to - from).y(), 0)}};
+        constexpr int owner[] = {0};
+        EXPECT_EQ(thread.tick({hold, owner, {}, nullptr, tick}).fraction, 1) << i;
+    }
+    EXPECT_LE((at(thread, second.first) - to).norm(), 1e-9);
+    EXPECT_LE((at(thread, first.last - 1) - before).norm(), 0.05 * thickness);
+}
+
+// Links are joined where nothing is near. Of what is near nothing is known just after a cut.
+TEST(Cut, NoLinkIsFittedBeforeItsSurroundingsAreKnown) {
+    Thread thread(fitted(ftl()), overhand(120));
+    Hands hands(thread);
+    for (int link = 8, cuts = 0; cuts < 3; ++cuts) {
+        hands.apart(thread, 0.3 * thickness, 15);
+        ASSERT_TRUE(thread.cut(link, 0.5, hands.nodes));
+        hands.nodes[0] = thread.pieces().back().first;
+        EXPECT_FALSE(thread.fit_links(hands.nodes)) << cuts;
+        link = hands.nodes[0] + 8;
+    }
+}
+
 // What strands do to each other does not end where one of them was cut: pushed together end to end, or side by side, they keep apart.
 TEST(Cut, PiecesMeetAsStrandsDo) {
     for (const ThreadDef& def : {ftl(), elastic()}) {
