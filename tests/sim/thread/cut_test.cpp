@@ -199,15 +199,29 @@ TEST(Cut, AnEndLiesBesideTheOtherPiece) {
 
 // Links are joined where nothing is near. Of what is near nothing is known just after a cut.
 TEST(Cut, NoLinkIsFittedBeforeItsSurroundingsAreKnown) {
-    Thread thread(fitted(ftl()), overhand(120));
+    constexpr double long_link = 16 * radius;
+    Thread thread(fitted(ftl()), overhand(60, 0.5 * long_link));
     Hands hands(thread);
-    for (int link = 8, cuts = 0; cuts < 3; ++cuts) {
-        hands.apart(thread, 0.3 * thickness, 15);
-        ASSERT_TRUE(thread.cut(link, 0.5, hands.nodes));
+    hands.apart(thread, 0.5 * thickness, 600);
+    for (int cuts = 0; cuts < 12; ++cuts) {
+        hands.apart(thread, 0.5 * thickness, 1);
+        ASSERT_TRUE(hands.cut(thread, hands.nodes[0] + 1, 0.5));
         hands.nodes[0] = thread.pieces().back().first;
         EXPECT_FALSE(thread.fit_links(hands.nodes)) << cuts;
-        link = hands.nodes[0] + 8;
     }
+}
+
+// What was jammed for long is tried ever more seldom; once cut it must not wait for the next try.
+TEST(Cut, WhatWasJammedIsFree) {
+    Thread thread(ftl(), straight(60));
+    Hands hands(thread);
+    hands.apart(thread, 0.1e-3, 600);
+    EXPECT_LT(hands.worst.fraction, 1);
+    ASSERT_TRUE(hands.cut(thread, 29, 0.5));
+    hands.apart(thread, 0.1e-3, 1);  // the one way to answer, then the other
+    hands.worst = {};
+    hands.apart(thread, 0.1e-3, 10);
+    EXPECT_EQ(hands.worst.fraction, 1);
 }
 
 // What strands do to each other does not end where one of them was cut: pushed together end to end, or side by side, they keep apart.
