@@ -18,18 +18,9 @@ double World::place_mm(int link, double share) const {
     return 1e3 * std::accumulate(rest.begin(), rest.begin() + link, share * rest[static_cast<std::size_t>(link)]);
 }
 
-// An estimate from lag must stand longer than a tracker loses a hand, or jaws that shut on a strand lag: three frames of a camera.
-bool World::is_pulled_too_hard() {
-    constexpr double frames_s = 0.1;
-    if (tension_now_ <= def_.thread.break_force) return pulled_s_ = 0, false;
-    pulled_s_ += def_.tick_s;
-    return is_elastic() || pulled_s_ > frames_s;
-}
-
 // Once a tick: what else was pulled as hard is so no longer.
 void World::break_where_pulled_too_hard() {
-    if (!is_pulled_too_hard()) return;
-    pulled_s_ = 0;
+    if (!strength_.gives_way(tension_now_, def_.tick_s, is_elastic())) return;
     const int link = thread_.most_loaded();
     if (link < 0) return;
     const double place = place_mm(link, 0.5);

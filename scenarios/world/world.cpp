@@ -37,7 +37,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
 }
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
-    : def_(def), thread_(make_thread(def.thread)), surface_(std::move(surface)) {
+    : def_(def), thread_(make_thread(def.thread)), surface_(std::move(surface)), strength_{def.thread.break_force} {
     if (surface_.size() > 0) bench_.add_surface(surface_.triangles());
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
@@ -79,7 +79,7 @@ std::uint64_t World::hash() const {
                 for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
         }
     }
-    if (pulled_s_ > 0) add(pulled_s_);
+    if (strength_.pulled_s > 0) add(strength_.pulled_s);
     return hash;
 }
 

@@ -93,7 +93,6 @@ class World {
     void let_grasps_slip();
     void measure(const sim::thread::TickReport& report);
     void part_thread();
-    bool is_pulled_too_hard();
     void break_where_pulled_too_hard();
     void close_blades(Tool& tool);
     bool cut(int link, double share);
@@ -133,7 +132,7 @@ class World {
     Worst worst_;
     std::uint64_t ticks_ = 0, substeps_ = 0;
     double tension_now_ = 0, stretch_now_ = 0;
-    double pulled_s_ = 0;                          // for how long harder than the thread bears
+    sim::thread::Strength strength_;
     bool moved_since_named_ = true;
     std::future<TiedPiece> naming_;
     std::vector<std::vector<sim::geometry::Vec3>> cores_;  // of the vessels

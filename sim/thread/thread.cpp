@@ -155,6 +155,13 @@ std::uint64_t Thread::hash() const {
     return hash;
 }
 
+bool Strength::gives_way(double pull, double tick_s, bool is_elastic) {
+    const double stands_s = is_elastic ? 0 : 0.1;
+    const bool gave_way = pulled_s > stands_s;
+    pulled_s = pull > force ? pulled_s + tick_s : 0;
+    return !gave_way && pulled_s > stands_s;
+}
+
 std::vector<Vec3> resample(std::span<const Vec3> path, int links) {
     double total = 0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) total += (path[i + 1] - path[i]).norm();

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -109,6 +110,16 @@ class Thread {
   private:
     struct Impl;
     Impl* impl_;
+};
+
+/// What pull a thread bears. Newtons of an elastic one break it at once. By Follow-The-Leader a pull is an estimate from how far tools lag,
+/// as they do where jaws shut on a strand or a tracker loses a hand for a frame as well: it must stand for a tenth of a second. A thread that
+/// gave way does so again only after it bore what pulls: hands may draw its pieces on faster than they can recoil here.
+struct Strength {
+    double force = std::numeric_limits<double>::infinity();  ///< [N]
+    double pulled_s = 0;  ///< For how long harder than that.
+
+    bool gives_way(double pull, double tick_s, bool is_elastic);  ///< In this tick.
 };
 
 /// Resamples a path to `links` links of equal length; the last node is the path's end. Path of at least 2 points.

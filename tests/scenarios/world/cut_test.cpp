@@ -141,6 +141,15 @@ TEST(Break, OnceAtTheForceThatTheThreadBears) {
     }
 }
 
+// A 6-0 stretches by an eighth before it breaks, more than steps of an elastic thread may otherwise.
+TEST(Break, AtTheForceOfItsSize) {
+    Play play{Scene("elastic")};
+    play.close({0, 1});
+    for (int i = 0; i < 2000 && play.events("break").empty(); ++i) play.move(1, Vec3(5e-6, 0, 0), 1);
+    ASSERT_EQ(play.events("break").size(), 1u);
+    EXPECT_NEAR(play.world.measures().tension_max_N.value, 1.96, 0.02);
+}
+
 // Below that it holds, however long.
 TEST(Break, NotBelowThatForce) {
     for (const char* model : {"ftl", "elastic"}) {

@@ -204,7 +204,7 @@ TEST(Cut, NoLinkIsFittedBeforeItsSurroundingsAreKnown) {
     Hands hands(thread);
     hands.apart(thread, 0.5 * thickness, 600);
     for (int cuts = 0; cuts < 12; ++cuts) {
-        hands.apart(thread, 0.5 * thickness, 1);
+        hands.apart(thread, 0.1 * thickness, 7);
         ASSERT_TRUE(hands.cut(thread, hands.nodes[0] + 1, 0.5));
         hands.nodes[0] = thread.pieces().back().first;
         EXPECT_FALSE(thread.fit_links(hands.nodes)) << cuts;
@@ -282,6 +282,22 @@ TEST(Cut, TheSameBitsAgainAndMirrored) {
         ASSERT_EQ(mirrored.first.size(), plain.first.size());
         for (std::size_t i = 0; i < plain.first.size(); ++i) EXPECT_EQ(mirrored.first[i], plain.first[i]) << i;
     }
+}
+
+// Hands may pull on faster than pieces recoil; that must not break them to bits. What is an estimate must stand.
+TEST(Cut, AThreadGivesWayOnceToOnePull) {
+    sim::thread::Strength elastic{1}, ftl{1};
+    const auto ticks_until = [](sim::thread::Strength& strength, bool is_elastic) {
+        int ticks = 1;
+        while (ticks < 500 && !strength.gives_way(1.5, tick, is_elastic)) ++ticks;
+        return ticks;
+    };
+    EXPECT_EQ(ticks_until(elastic, true), 1);
+    EXPECT_EQ(ticks_until(elastic, true), 500);
+    EXPECT_FALSE(elastic.gives_way(1, tick, true));
+    EXPECT_EQ(ticks_until(elastic, true), 1);
+    EXPECT_NEAR(ticks_until(ftl, false), 100.5, 0.5);
+    EXPECT_EQ(ticks_until(ftl, false), 500);
 }
 
 // A thread that is pulled hard and cut: nothing pulls any more, and its ends do not whip.
