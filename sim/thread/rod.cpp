@@ -93,7 +93,7 @@ void Rod::join_at(std::size_t node) {
 
 void Rod::reserve(std::size_t links) {
     for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_, &newton_, &spread_, &trial_}) of_nodes->reserve(links + 1);
-    for (auto* of_links : {&rest_, &mass_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
+    for (auto* of_links : {&rest_, &mass_, &inert_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
     held_.reserve(links + 1);
     for (auto* measured : {&links_, &tried_}) measured->reserve(links);
 }
@@ -284,10 +284,11 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
 void Rod::begin(const RodInput& input, double seconds) {
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
-    inertia_ = seconds > 0 && def_.density > 0 && !def_.quasi_static ? 1 / (seconds * seconds) : 0;
+    inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
     turn_ = input.turn;
     held_.assign(now_.nodes.size(), 0);
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
+    find_inert();
     loads_.resize(now_.nodes.size());
     double extent = twisted_length_;
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
@@ -297,6 +298,22 @@ void Rod::begin(const RodInput& input, double seconds) {
         extent = std::max(extent, now_.nodes[i].cwiseAbs().maxCoeff());
     }
     tolerance_ = input.tolerance.value_or(1e-14 * stiffest_ * extent);
+}
+
+// In balance in every tick nothing has inertia but, cut off and held by nobody, what would fall without end.
+void Rod::find_inert() {
+    if (!def_.quasi_static) {
+        inert_ = mass_;
+        return;
+    }
+    inert_.assign(mass_.size(), 0);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < mass_.size(); ++i) {
+        if (i < rest_.size() && !is_cut(i)) continue;
+        const bool whole = i - first == rest_.size(), held = std::find(held_.data() + first, held_.data() + i + 1, 1) != held_.data() + i + 1;
+        if (!whole && !held) std::copy(mass_.data() + first, mass_.data() + i + 1, inert_.data() + first);
+        first = i + 1;
+    }
 }
 
 void Rod::lead(std::span<const Hold> targets) {

@@ -162,6 +162,7 @@ class Rod {
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);
 
+    void find_inert();
     void find_velocity();
     void take_set();
     void hand_on_natural_bend(std::size_t node);
@@ -170,6 +171,7 @@ class Rod {
 
     RodDef def_;
     std::vector<double> rest_, mass_;      // per link [m], per node [kg]
+    std::vector<double> inert_;            // what of the mass has inertia in this step [kg]
     std::vector<double> natural_;          // bend of an unloaded node, as the difference of tangents
     double twisted_length_ = 0;            // [m]
     double softest_ = 0, stiffest_ = 0;    // [N/m] added to every node, and of a link against stretch

@@ -39,7 +39,7 @@ double Rod::energy(const std::vector<Vec3>& x, std::vector<Link>& links) {
     double sum = energy_of(links) + contact_energy(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
         sum -= loads_[i].dot(x[i]);
-        if (inertia_ > 0) sum += 0.5 * inertia_ * mass_[i] * (x[i] - aim_[i]).squaredNorm();
+        if (inertia_ > 0) sum += 0.5 * inertia_ * inert_[i] * (x[i] - aim_[i]).squaredNorm();
     }
     const double twist = twist_at(x);
     return sum + 0.5 * def_.twisting_stiffness() / twisted_length_ * twist * twist;
@@ -114,7 +114,7 @@ void Rod::spread_to_nodes() {
         }
         if (i + 1 < n) crossing = cross(i);
         Block at_node = own_before + own - cross_before - cross_before.transpose();
-        at_node.diagonal().array() += std::max(softest_, inertia_ * mass_[i]);  // more than inertia would be drag
+        at_node.diagonal().array() += std::max(softest_, inertia_ * inert_[i]);  // more than inertia would be drag
         put(matrix_.column(3 * i), at_node, cross_before - own + crossing, -crossing);
         own_before = own, cross_before = crossing;
     }
@@ -137,7 +137,7 @@ void Rod::add_rolling(std::span<const Rolling> rolling) {
 void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     matrix_.clear(now_.nodes.size());
     measure(now_.nodes, links_);
-    for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
+    for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * inert_[i] * (now_.nodes[i] - aim_[i]);
     add_stretch(keep);
     add_bending(keep);
     spread_to_nodes();

@@ -224,6 +224,32 @@ TEST(Cut, WhatWasJammedIsFree) {
     EXPECT_EQ(hands.worst.fraction, 1);
 }
 
+// A thread in balance in every tick has no mass; a piece that nobody holds then falls as stones do, or tools would wait for its fall.
+TEST(Cut, APieceThatNobodyHoldsFalls) {
+    constexpr double g = 9.81;
+    ThreadDef def = elastic();
+    def.elastic->quasi_static = true;
+    def.elastic->gravity = {0, 0, -g};
+    std::vector<Vec3> hanging = straight(60);
+    for (Vec3& p : hanging) p = Vec3(0, 0, -p.x());
+    Thread thread(def, hanging);
+    std::array<int, 1> held{0};
+    ASSERT_TRUE(thread.cut(29, 0.5, held));
+    const Piece cut_off = thread.pieces()[1];
+    const double from = at(thread, cut_off.last).z();
+    constexpr int ticks = 20;  // to 2.3 D a tick: no thread is let go faster than 3 D a tick
+    Worst worst;
+    for (int i = 0; i < ticks; ++i) {
+        const Hold hold[] = {{0, at(thread, 0) + Vec3(0, 0, 0.05e-3)}};
+        constexpr int owner[] = {0};
+        worst.add(thread.tick({hold, owner, {}, nullptr, tick}));
+    }
+    EXPECT_EQ(worst.fraction, 1);
+    EXPECT_EQ(worst.pass_throughs, 0);
+    const double fallen = g * tick * tick * ticks * (ticks + 1) / 2;  // of implicit Euler
+    EXPECT_NEAR(from - at(thread, cut_off.last).z(), fallen, 0.01 * fallen);
+}
+
 // What strands do to each other does not end where one of them was cut: pushed together end to end, or side by side, they keep apart.
 TEST(Cut, PiecesMeetAsStrandsDo) {
     for (const ThreadDef& def : {ftl(), elastic()}) {
