@@ -138,7 +138,7 @@ const Shape& hard_case_shape() {
          {"broken_input", list(0, 20, fault()), false, json::array()},
          {"tick_s", quantity(1e-5, 1, "s"), false, 1e-3},
          {"duration_s", quantity(1e-4, 1000, "s"), true},
-         {"expect", list(1, 40, condition()), true}});
+         {"expect", list(1, 60, condition()), true}});
     return shape;
 }
 
