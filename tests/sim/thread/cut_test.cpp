@@ -197,20 +197,6 @@ TEST(Cut, AnEndLiesBesideTheOtherPiece) {
     EXPECT_LE((at(thread, first.last - 1) - before).norm(), 0.05 * thickness);
 }
 
-// Links are joined where nothing is near. Of what is near nothing is known just after a cut.
-TEST(Cut, NoLinkIsFittedBeforeItsSurroundingsAreKnown) {
-    constexpr double long_link = 16 * radius;
-    Thread thread(fitted(ftl()), overhand(60, 0.5 * long_link));
-    Hands hands(thread);
-    hands.apart(thread, 0.5 * thickness, 600);
-    for (int cuts = 0; cuts < 12; ++cuts) {
-        hands.apart(thread, 0.1 * thickness, 7);
-        ASSERT_TRUE(hands.cut(thread, hands.nodes[0] + 1, 0.5));
-        hands.nodes[0] = thread.pieces().back().first;
-        EXPECT_FALSE(thread.fit_links(hands.nodes)) << cuts;
-    }
-}
-
 // What was jammed for long is tried ever more seldom; once cut it must not wait for the next try.
 TEST(Cut, WhatWasJammedIsFree) {
     Thread thread(ftl(), straight(60));
