@@ -9,8 +9,11 @@ namespace instruments {
 // Grip: thread tension = 2 * friction * clamp force; a locked needle holder clamps several times harder than fingers.
 constexpr ToolShape forceps_shape{1.5e-3, 80e-3, 0.2e-3, 12e-3, 0.427, 1.0};
 constexpr ToolShape needle_holder_shape{1.6e-3, 80e-3, 0.3e-3, 10e-3, 0.349, 4.0};
+// Spring microscissors of Vannas' pattern: blades of 6 mm that end in tips 0.2 mm across, 25 degrees open.
+constexpr ToolShape scissors_shape{1.5e-3, 80e-3, 0.1e-3, 6e-3, 0.436, 0.0};
 
 const ToolShape& shape_of(Kind kind) {
+    if (kind == Kind::scissors) return scissors_shape;
     return kind == Kind::forceps ? forceps_shape : needle_holder_shape;
 }
 

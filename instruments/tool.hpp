@@ -10,7 +10,7 @@ using sim::geometry::Capsule;
 using sim::geometry::Quat;
 using sim::geometry::Vec3;
 
-enum class Kind { forceps, needle_holder };
+enum class Kind { forceps, needle_holder, scissors };
 
 /// Frame of a tool: origin midway between the closed jaw tips, +z from the handle towards the tips, the jaws open
 /// along +-x, the hinge turns about y.
@@ -31,7 +31,7 @@ struct ToolShape {
     double shaft_radius, shaft_length;  ///< [m]
     double jaw_radius, jaw_length;      ///< [m], hinge to tip.
     double jaw_opening;                 ///< Full angle between the jaws when open [rad].
-    double grip_force;                  ///< Largest thread tension the closed jaws hold [N].
+    double grip_force;                  ///< Largest thread tension the closed jaws hold [N]; 0: blades, which cut.
 };
 
 const ToolShape& shape_of(Kind kind);

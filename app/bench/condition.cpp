@@ -46,7 +46,9 @@ double most_between(const Trace& trace, const Condition& condition, Figure figur
     return value;
 }
 
+// In a tick that cut it the thread's nodes are not the same ones.
 double rms_move(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    if (a.size() != b.size()) return 0;
     double sum_of_squares = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum_of_squares += (b[i] - a[i]).squaredNorm();
     return std::sqrt(sum_of_squares / static_cast<double>(a.size()));
@@ -55,7 +57,7 @@ double rms_move(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 double largest_move(const std::vector<Vec3>& a, const std::vector<Vec3>& b, int node) {
     if (node >= 0) return (b[static_cast<std::size_t>(node)] - a[static_cast<std::size_t>(node)]).norm();
     double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (b[i] - a[i]).norm());
+    for (std::size_t i = 0; i < a.size() && a.size() == b.size(); ++i) largest = std::max(largest, (b[i] - a[i]).norm());
     return largest;
 }
 
@@ -112,6 +114,10 @@ const std::vector<ConditionKind> along_the_way{
     {"not_finite_nodes", "count", "nodes whose place is not a number, over all ticks", [](S, T t, C) { return sum(t, broken_nodes); }},
     {"inputs_dropped", "count", "inputs of a drill that were dropped, by its events",
      [](S, T t, C) { return static_cast<double>(t.inputs_dropped); }},
+    {"breaks", "count", "times the thread broke", [](S, T t, C) { return static_cast<double>(t.breaks); }},
+    {"broke_off_knot", "D", "how far along the thread from where strands touch it broke", [](S, T t, C) { return t.broke_off / t.diameter; }},
+    {"pieces", "count", "pieces of thread in the end", [](S, T t, C) { return static_cast<double>(t.pieces.size()); }},
+    {"lost", "D", "length that cuts and breaks took, in thread diameters", [](S, T t, C) { return t.lost / t.diameter; }},
     {"contacts_max", "count", "contacts of one substep at most",
      [](S, T t, C c) { return most(t, c, [](const Frame& f) { return f.report.contacts; }); }},
     {"substeps_max", "count", "substeps of one tick at most: what a tick may cost, on any machine",

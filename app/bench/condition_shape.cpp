@@ -39,10 +39,18 @@ double reported_separation(const Trace& trace, const Condition& condition) {
     return value;
 }
 
+bool is_cut(const Frame& frame, std::size_t link) { return std::find(frame.cuts.begin(), frame.cuts.end(), static_cast<int>(link)) != frame.cuts.end(); }
+
+// Of a thread that was cut, in any of its pieces.
+bool has_knot(const Trace& trace, const std::string& knot) {
+    return std::any_of(trace.pieces.begin(), trace.pieces.end(), [&](const auto& piece) { return sim::knot::name_knot(piece).knot == knot; });
+}
+
 double gap_to_tools(const Trace& trace, const Frame& frame) {
     double gap = far * trace.diameter;
     for (const Capsule& tool : frame.tools)
         for (std::size_t i = 0; i + 1 < frame.nodes.size(); ++i) {
+            if (is_cut(frame, i)) continue;
             const double d2 = closest_points(frame.nodes[i], frame.nodes[i + 1], tool.a, tool.b).distance_squared;
             gap = std::min(gap, std::sqrt(d2) - tool.radius - trace.diameter / 2);
         }
@@ -55,6 +63,7 @@ double gap_to_surface(const Scene& scene, const Trace& trace, const Frame& frame
         sim::geometry::Box box;
         for (const Vec3* corner : {&triangle.a, &triangle.b, &triangle.c}) box.include(*corner);
         for (std::size_t i = 0; i + 1 < frame.nodes.size(); ++i) {
+            if (is_cut(frame, i)) continue;
             sim::geometry::Box link;
             link.include(frame.nodes[i]);
             link.include(frame.nodes[i + 1]);
@@ -94,7 +103,7 @@ using C = const Condition&;
 const std::vector<ConditionKind>& shape_kinds() {
     static const std::vector<ConditionKind> kinds{
         {"knot_differs", "count", "1 where the knot in the end is not the one named",
-         [](S, T t, C c) { return sim::knot::name_knot(t.nodes()).knot == c.knot ? 0.0 : 1.0; }},
+         [](S, T t, C c) { return has_knot(t, c.knot) ? 0.0 : 1.0; }},
         {"knot_changes", "count", "times the knot took another name", [](S, T t, C) { return name_changes(t); }},
         {"separation_min", "D", "smallest distance of strands, by the solver", [](S, T t, C c) { return reported_separation(t, c); }},
         {"separation_measured", "D", "the same measured over all pairs of links, every tenth tick",

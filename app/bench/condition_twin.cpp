@@ -77,6 +77,7 @@ Scene mapped(const Scene& scene, const Matrix3d& linear) {
     const auto map = [&](const Vec3& p) { return Vec3(linear * p); };
     Scene image = scene;
     image.thread.radius *= scale;
+    for (CutPlan& cut : image.cuts) cut.place *= scale;
     for (Vec3& p : image.nodes) p = map(p);
     for (HoldPlan& hold : image.holds) hold.way = mapped(hold.way, linear, scale);
     for (ToolPlan& tool : image.tools) {
@@ -90,6 +91,10 @@ Scene mapped(const Scene& scene, const Matrix3d& linear) {
 }
 
 Scene reversed(Scene scene) {
+    double length = 0;
+    for (std::size_t i = 1; i < scene.nodes.size(); ++i) length += (scene.nodes[i] - scene.nodes[i - 1]).norm();
+    for (CutPlan& cut : scene.cuts) cut.place = length - cut.place;
+    std::reverse(scene.cuts.begin(), scene.cuts.end());
     std::reverse(scene.nodes.begin(), scene.nodes.end());
     for (HoldPlan& hold : scene.holds)
         for (int& node : hold.nodes) node = static_cast<int>(scene.nodes.size()) - 1 - node;

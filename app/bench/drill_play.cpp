@@ -93,6 +93,7 @@ Trace play_drill(const Scene& scene) {
         trace.frames.push_back(frame_of(world, passed_before));
     }
     trace.hash = world.hash();
+    trace.pieces = world.curves();
     for (const auto& event : world.events()) trace.inputs_dropped += event.kind == "input_dropped";
     return trace;
 }

@@ -48,6 +48,12 @@ struct ToolPlan {
     Way way;
 };
 
+/// The thread cut before a tick.
+struct CutPlan {
+    double t = 0;      ///< [s]
+    double place = 0;  ///< Along it, as it is then [m].
+};
+
 /// Input that is not what it should be, for a while.
 struct Fault {
     enum class Kind { nan, infinite, zero_rotation, long_rotation, flipped_rotation, frozen, leap, sampled };
@@ -66,6 +72,8 @@ struct Scene {
     std::vector<ToolPlan> tools;
     std::vector<sim::geometry::Triangle> surface;
     std::vector<Fault> faults;
+    std::vector<CutPlan> cuts;   ///< Those of one tick from the last place to the first.
+    double break_force = std::numeric_limits<double>::infinity();  ///< [N]
     double tick = 1e-3, duration = 0;  ///< [s]
     std::filesystem::path drill;       ///< If set, the scene is this drill moved by its own motion.
 };

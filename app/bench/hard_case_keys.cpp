@@ -55,6 +55,7 @@ Shape thread() {
                   {"axial_stiffness_N", quantity(1e-6, 1e9, "N"), false, 15.9},
                   {"axial_over_bending", quantity(0, 1e9), false, 0},
                   {"keeps_shape", {.types = boolean}, false, false},
+                  {"break_N", quantity(1e-6, 1e6, "N")},
                   {"links", count(1, 5000)},
                   {"link_over_diameter", quantity(1e-3, 100), false, 1},
                   {"short_link", group({{"after", node(), true}, {"share", quantity(1e-9, 0.5), true}})},
@@ -133,10 +134,11 @@ const Shape& hard_case_shape() {
          {"holds", list(0, 100, hold()), false, json::array()},
          {"tools", list(0, 100, tool_part()), false, json::array()},
          {"tube", tube()},
+         {"cuts", list(0, 100, group({{"t_s", seconds(), true}, {"after", node(), true}, {"share", quantity(0, 1), false, 0}})), false, json::array()},
          {"broken_input", list(0, 20, fault()), false, json::array()},
          {"tick_s", quantity(1e-5, 1, "s"), false, 1e-3},
          {"duration_s", quantity(1e-4, 1000, "s"), true},
-         {"expect", list(1, 40, condition()), true}});
+         {"expect", list(1, 60, condition()), true}});
     return shape;
 }
 

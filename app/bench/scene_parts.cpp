@@ -142,6 +142,15 @@ Fault fault_of(const json& value, const Scene& scene, const std::string& at) {
     return fault;
 }
 
+// Where it is counted by the nodes that there are at first.
+CutPlan cut_of(const json& value, const Scene& scene, const std::string& at) {
+    const int nodes = static_cast<int>(scene.nodes.size()), after = node_of(value["after"], nodes);
+    if (after + 1 >= nodes) throw Misfit{at + "/after", "expected less than the last of the thread's " + std::to_string(nodes) + " nodes"};
+    double place = 0;
+    for (int i = 0; i <= after; ++i) place += (i < after ? 1 : value["share"].get<double>()) * (scene.nodes[static_cast<std::size_t>(i) + 1] - scene.nodes[static_cast<std::size_t>(i)]).norm();
+    return {value["t_s"], place};
+}
+
 template <typename List, typename Make>
 void fill(List& list, const json& values, const std::string& at, Make make) {
     for (std::size_t i = 0; i < values.size(); ++i) list.push_back(make(values[i], at + "/" + std::to_string(i)));
@@ -168,12 +177,15 @@ Scene scene_of(const json& value, const std::filesystem::path& folder) {
         const json& thread = value["thread"];
         scene.thread = {mm * thread["radius_mm"].get<double>(), thread["friction"], thread["friction_tool"], thread["axial_stiffness_N"]};
         if (thread["model"] == "elastic") scene.thread.elastic = {.axial_over_bending = thread["axial_over_bending"], .keeps_shape = thread["keeps_shape"]};  // polypropylene
+        scene.break_force = thread.value("break_N", scene.break_force);
         scene.nodes = nodes_of(thread, folder);
     }
     if (static_cast<double>(scene.nodes.size()) * scene.duration / scene.tick > most_places)
         throw Misfit{"/duration_s", "expected less: nodes times ticks over 6 million"};
     fill(scene.holds, value["holds"], "/holds", [&](const json& v, const std::string& at) { return hold_of(v, scene, at); });
     fill(scene.tools, value["tools"], "/tools", [&](const json& v, const std::string& at) { return tool_of(v, at); });
+    fill(scene.cuts, value["cuts"], "/cuts", [&](const json& v, const std::string& at) { return cut_of(v, scene, at); });
+    std::stable_sort(scene.cuts.begin(), scene.cuts.end(), [](const CutPlan& a, const CutPlan& b) { return a.place > b.place; });
     if (value.contains("tube")) scene.surface = tube_of(value["tube"]);
     fill(scene.faults, value["broken_input"], "/broken_input", [&](const json& v, const std::string& at) { return fault_of(v, scene, at); });
     return scene;

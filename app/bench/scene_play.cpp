@@ -4,6 +4,7 @@
 
 #include "app/bench/drill_play.hpp"
 #include "app/bench/trace.hpp"
+#include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/triangle_tree.hpp"
 
 namespace app::bench {
@@ -41,6 +42,7 @@ Vec3 moved(const Vec3& p, const Vec3& pivot, const Way& way, const WayKey& from,
 /// What one plan holds now, and from where.
 struct Grasp {
     const HoldPlan* plan;
+    std::vector<int> nodes;  ///< By their numbers now; -1: no more.
     bool holds = false;
     std::vector<Vec3> anchors;
     Vec3 pivot;
@@ -48,7 +50,7 @@ struct Grasp {
 
     void take(const Thread& thread, double t) {
         anchors.clear();
-        for (const int node : plan->nodes) anchors.push_back(thread.nodes()[static_cast<std::size_t>(node)]);
+        for (const int node : nodes) anchors.push_back(thread.nodes()[static_cast<std::size_t>(std::max(node, 0))]);
         pivot = std::accumulate(anchors.begin(), anchors.end(), Vec3(Vec3::Zero())) / static_cast<double>(anchors.size());
         since = plan->way.at(t);
     }
@@ -64,7 +66,7 @@ struct Stage {
     std::vector<MovingCapsule> capsules;
 
     explicit Stage(const Scene& of) : scene(of) {
-        for (const HoldPlan& plan : scene.holds) grasps.push_back({&plan, false, {}, Vec3::Zero(), {}});
+        for (const HoldPlan& plan : scene.holds) grasps.push_back({&plan, plan.nodes, false, {}, Vec3::Zero(), {}});
         for (const ToolPlan& plan : scene.tools) tools.push_back(plan.capsule);
     }
 
@@ -90,11 +92,34 @@ struct Stage {
         const bool held = plan.held_at(t);
         if (held && !grasp.holds) grasp.take(thread, t - scene.tick);
         grasp.holds = held;
-        for (std::size_t k = 0; held && k < plan.nodes.size(); ++k) {
-            holds.push_back({plan.nodes[k], moved(grasp.anchors[k], grasp.pivot, plan.way, grasp.since, plan.way.at(t))});
+        for (std::size_t k = 0; held && k < grasp.nodes.size(); ++k) {
+            if (grasp.nodes[k] < 0) continue;
+            holds.push_back({grasp.nodes[k], moved(grasp.anchors[k], grasp.pivot, plan.way, grasp.since, plan.way.at(t))});
             owners.push_back(plan.tool);
         }
     }
+
+    bool cut(Thread& thread, int link, double share) {
+        std::vector<int> held;
+        for (const Grasp& grasp : grasps) held.insert(held.end(), grasp.nodes.begin(), grasp.nodes.end());
+        if (!thread.cut(link, share, held)) return false;
+        auto next = held.begin();
+        for (Grasp& grasp : grasps)
+            for (int& node : grasp.nodes) node = *next++;
+        return true;
+    }
+
+    void cut_before(Thread& thread, double t) {
+        for (const CutPlan& plan : scene.cuts) {
+            if (std::abs(t - plan.t) > scene.tick / 2) continue;
+            double place = plan.place;
+            int link = 0;
+            for (; link + 1 < static_cast<int>(thread.rest_lengths().size()) && place > rest(thread, link); ++link) place -= rest(thread, link);
+            cut(thread, link, std::min(1.0, place / rest(thread, link)));
+        }
+    }
+
+    static double rest(const Thread& thread, int link) { return thread.rest_lengths()[static_cast<std::size_t>(link)]; }
 
     void spoil(const Fault& fault) {
         const double bad = fault.kind == Fault::Kind::nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
@@ -123,6 +148,13 @@ struct Stage {
     }
 };
 
+std::vector<int> cuts_of(const Thread& thread) {
+    std::vector<int> cuts;
+    for (const auto& piece : thread.pieces()) cuts.push_back(piece.last);
+    cuts.pop_back();  // the thread's own end
+    return cuts;
+}
+
 Frame frame_of(const Thread& thread, const Stage& stage, const sim::thread::TickReport& report) {
     const auto tension = thread.tension();
     return {{thread.nodes().begin(), thread.nodes().end()},
@@ -131,7 +163,27 @@ Frame frame_of(const Thread& thread, const Stage& stage, const sim::thread::Tick
             stage.lag(thread),
             *std::max_element(tension.begin(), tension.end()),
             tension.front(),
-            tension.back()};
+            tension.back(),
+            cuts_of(thread)};
+}
+
+double length_before(const Thread& thread, int node) {
+    return std::accumulate(thread.rest_lengths().begin(), thread.rest_lengths().begin() + node, 0.0);
+}
+
+// From the nearest link that touches another strand: one within 1.2 thicknesses of it, and farther off than 5 along the thread.
+double off_touching(const Thread& thread, int link) {
+    const double thickness = 2 * thread.def().radius, place = length_before(thread, link);
+    const auto nodes = thread.nodes();
+    double least = length_before(thread, static_cast<int>(nodes.size()) - 1);
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+        for (std::size_t j = i + 1; j + 1 < nodes.size(); ++j) {
+            const double at_i = length_before(thread, static_cast<int>(i)), at_j = length_before(thread, static_cast<int>(j));
+            if (at_j - at_i < 5 * thickness) continue;
+            const double d2 = sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]).distance_squared;
+            if (d2 < 1.44 * thickness * thickness) least = std::min({least, std::abs(at_i - place), std::abs(at_j - place)});
+        }
+    return least;
 }
 
 }  // namespace
@@ -143,13 +195,24 @@ Trace play(const Scene& scene) {
     Stage stage(scene);
     Trace trace{scene.tick, 2 * scene.thread.radius, scene.nodes, {thread.rest_lengths().begin(), thread.rest_lengths().end()}, {}, 0, 0};
     const int ticks = static_cast<int>(std::ceil(scene.duration / scene.tick - rounding));
+    sim::thread::Strength strength{scene.break_force};
     for (int tick = 1; tick <= ticks; ++tick) {
+        stage.cut_before(thread, tick * scene.tick);
         stage.ask(thread, tick * scene.tick);
         const auto report = thread.tick({stage.holds, stage.owners, stage.capsules, scene.surface.empty() ? nullptr : &surface, scene.tick});
         stage.answer(thread, report);
         trace.frames.push_back(frame_of(thread, stage, report));
+        if (!strength.gives_way(trace.frames.back().tension, scene.tick, scene.thread.elastic.has_value())) continue;
+        const int link = thread.most_loaded();
+        const double off = off_touching(thread, link);
+        if (!stage.cut(thread, link, 0.5)) continue;
+        ++trace.breaks;
+        trace.broke_off = off;
     }
     trace.hash = thread.hash();
+    const auto nodes = thread.nodes();
+    for (const auto& [first, last] : thread.pieces()) trace.pieces.emplace_back(nodes.begin() + first, nodes.begin() + last + 1);
+    trace.lost = std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0) - length_before(thread, static_cast<int>(nodes.size()) - 1);
     return trace;
 }
 

@@ -13,6 +13,7 @@ struct Frame {
     sim::thread::TickReport report;
     double lag = 0;              ///< Of the held node that is farthest behind [m].
     double tension = 0, tension_first = 0, tension_last = 0;  ///< Most, of the first and of the last link [N].
+    std::vector<int> cuts = {};  ///< Links that are no more.
 };
 
 /// All that was seen of one scene.
@@ -23,6 +24,10 @@ struct Trace {
     std::vector<Frame> frames;      ///< One a tick.
     std::uint64_t hash = 0;         ///< In the end.
     int inputs_dropped = 0;         ///< Events of a drill.
+    int breaks = 0;
+    double broke_off = 0;           ///< How far along the thread from where strands touch it broke, the last time [m].
+    std::vector<std::vector<Vec3>> pieces = {};  ///< In the end.
+    double lost = 0;                ///< Of its length, by cuts and breaks [m].
 
     const std::vector<Vec3>& nodes() const { return frames.back().nodes; }
 };

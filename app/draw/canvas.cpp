@@ -95,7 +95,7 @@ Scene scene_of(const Picture& picture) {
     for (const assets::Mesh& vessel : picture.vessels) scene.add(vessel, flesh);
     for (const ToolPicture& one : picture.tools)
         for (const assets::Mesh& part : tool(one)) scene.add(part, steel);
-    scene.add(tube(picture.thread, radius_at), suture);
+    for (const std::vector<Vec3>& piece : picture.thread) scene.add(tube(piece, radius_at), suture);
     if (picture.needle.empty()) return scene;
     // A taper point: ten times as long as its wire is thick.
     const auto tapered = [&](const Vec3& p) { return std::min(picture.needle_radius, 0.02 * picture.needle_radius + (p - picture.needle.back()).norm() / 20); };

@@ -34,7 +34,7 @@ struct ToolPicture {
 
 /// All that is to be seen, in the world frame.
 struct Picture {
-    std::vector<Vec3> thread;      ///< Nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
+    std::vector<std::vector<Vec3>> thread;  ///< Its pieces: nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
     double thread_radius = 50e-6;  ///< [m] Drawn true, yet nowhere under 1.6 pixels, or a fine thread would vanish.
     std::vector<Vec3> needle;      ///< From its tail to its tip [m]; none: empty.
     double needle_radius = 0;      ///< Of its wire [m].

@@ -36,8 +36,11 @@ void Session::tick(std::span<const instruments::ToolInput> inputs) {
 }
 
 Snapshot Session::snapshot(std::string caption) const {
-    Snapshot snapshot{world_.time_s(), std::move(caption), {world_.thread().begin(), world_.thread().end()}, {}, rigid_, {}, {}};
-    for (const auto& tool : world_.tools()) snapshot.tools.push_back(tool.now);
+    Snapshot snapshot{world_.time_s(), std::move(caption), world_.curves(), {}, rigid_, {}, {}};
+    for (const auto& tool : world_.tools()) {
+        const bool cuts = tool.def.kind == instruments::Kind::scissors && tool.closed;  // what is between its blades then is no more
+        snapshot.tools.push_back({tool.now.pose, cuts ? tool.asked.jaw : tool.now.jaw});
+    }
     for (const auto& vessel : world_.vessels()) {
         assets::Mesh& mesh = snapshot.vessels.emplace_back();
         mesh.vertices.assign(vessel.tissue.nodes().begin(), vessel.tissue.nodes().end());
@@ -56,7 +59,8 @@ std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
     const auto rest = world_.thread_state().rest_lengths();
     if (tails_mm.size() < 2 || tails_mm[0] + tails_mm[1] == 0) return {};
     const auto nodes = world_.thread();
-    std::size_t first = 0, last = nodes.size() - 1;
+    const auto piece = world_.tied_piece();
+    auto first = static_cast<std::size_t>(piece.first), last = static_cast<std::size_t>(piece.last);
     for (double left = 1e-3 * tails_mm[0]; first < last && left > rest[first] / 2; ++first) left -= rest[first];
     for (double left = 1e-3 * tails_mm[1]; last > first && left > rest[last - 1] / 2; --last) left -= rest[last - 1];
     // A tight knot is four diameters across; its neighbourhood shows how it lies. Of a loose one show every loop.
@@ -94,6 +98,8 @@ void Session::watch_events() {
         const auto event = world_.events()[events_seen_];
         if (key_moments_.size() >= most_pictures) continue;
         if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
+        if (event.kind == "cut") key_moments_.push_back(snapshot(event.what + " tool cuts the thread"));
+        if (event.kind == "break") key_moments_.push_back(snapshot("the " + event.what + " breaks"));
         if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
         const bool surgeons_know = event.what == "0_1" || !world_.measures().knot.surgical.empty();
         if (event.kind == "knot" && surgeons_know) {

@@ -19,7 +19,7 @@ struct KnotPlace {
 struct Snapshot {
     double t_s;
     std::string caption;
-    std::vector<sim::geometry::Vec3> thread;
+    std::vector<std::vector<sim::geometry::Vec3>> thread;  ///< Its pieces.
     std::vector<instruments::ToolInput> tools;
     std::vector<assets::Mesh> vessels;
     std::vector<sim::geometry::Vec3> needle;  ///< From its tail to its tip; none: empty.

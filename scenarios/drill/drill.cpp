@@ -24,6 +24,11 @@ world::Vec3 point(const json& mm) {
     return {metres(mm[0]), metres(mm[1]), metres(mm[2])};
 }
 
+instruments::Kind kind_named(const std::string& name) {
+    if (name == "scissors") return instruments::Kind::scissors;
+    return name == "needle_holder" ? instruments::Kind::needle_holder : instruments::Kind::forceps;
+}
+
 /// Turns a document that fits drill_shape() into a Drill, and checks what one value says about another.
 class Reader {
   public:
@@ -76,9 +81,7 @@ class Reader {
         auto& instruments = drill_.world.instruments;
         for (const json& entry : filled_["instruments"]) {
             check_new(entry["name"], "/instruments/" + std::to_string(instruments.size()) + "/name", instruments);
-            const bool holder = entry["kind"] == "needle_holder";
-            instruments.push_back(
-                {entry["name"], holder ? instruments::Kind::needle_holder : instruments::Kind::forceps});
+            instruments.push_back({entry["name"], kind_named(entry["kind"])});
         }
     }
 

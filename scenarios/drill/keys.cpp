@@ -136,7 +136,7 @@ Shape vessel() {
 
 Shape instrument() {
     return group("A tool.", {{"name", name("As in motion files."), true},
-                             {"kind", choice("What it is.", {"forceps", "needle_holder"}), true}});
+                             {"kind", choice("What it is. Scissors cut what they close on.", {"forceps", "needle_holder", "scissors"}), true}});
 }
 
 Shape effects() {

@@ -3,19 +3,12 @@
 #include <numeric>
 #include <utility>
 
-#include "scenarios/world/jaw_room.hpp"
+#include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {
 
 namespace {
-
-// Jaws count as shut below the first and as let go above the second, so a trembling hand does not chatter.
-constexpr double shut_below = 0.25, open_above = 0.40;
-
-Vec3 in_tool(const ToolInput& tool, const Vec3& world_point) {
-    return tool.pose.rotation.conjugate() * (world_point - tool.pose.position);
-}
 
 // The closing jaws lay the strand flat between their inner faces; each link keeps its length and, in the plane of the
 // jaws, its direction.
@@ -46,28 +39,24 @@ void flatten(Grasp& grasp, const JawRoom& room) {
 template <class T>
 const T& at(std::span<const T> values, int i) { return values[static_cast<std::size_t>(i)]; }
 
-// Where a link meets the middle plane; its y is set, as interpolation leaves a rounding error there.
-Vec3 crossing(const Vec3& a, const Vec3& b) {
-    Vec3 p = a + a.y() / (a.y() - b.y()) * (b - a);
-    p.y() = 0;
-    return p;
+// Whether there is such a link: not where the thread ends or was cut.
+bool joins(const sim::thread::Thread& thread, int link) {
+    return link >= 0 && link < static_cast<int>(thread.rest_lengths().size()) && !thread.is_cut(link);
 }
 
 // What jaws of this width hold of a strand whose link passes through their middle plane y = 0 between them, or ends there: its nodes and those
-// beside it within the jaws, and one beyond on either side; the thread's last node is `last`. So the first free link starts outside the metal: one between the jaws with a free
+// beside it within the jaws, and one beyond on either side. So the first free link starts outside the metal: one between the jaws with a free
 // end would be wedged in them. Nothing (count 0) where the link does not pass.
-template <class Place, class IsFree>
-Grasp strand_between(const JawRoom& room, double width, int link, int last, const Place& place, const IsFree& is_free) {
+template <class Place, class IsFree, class IsJoined>
+Grasp strand_between(const JawRoom& room, double width, int link, const Place& place, const IsFree& is_free, const IsJoined& is_joined) {
     const auto within = [&](int k) { return is_free(k) && room.holds(place(k), width); };
     int from = link, to = link + 1;
-    if (!is_free(from) || !is_free(to)) return {};
-    const Vec3 a = place(from), b = place(to);
-    const bool passes = (a.y() < 0) != (b.y() < 0) && room.holds(crossing(a, b), 0);
-    const bool ends = (from == 0 && within(from)) || (to == last && within(to));
-    if (!passes && !ends) return {};
+    if (!is_joined(link) || !is_free(from) || !is_free(to)) return {};
+    const bool ends = (!is_joined(from - 1) && within(from)) || (!is_joined(to) && within(to));
+    if (!room.is_passed_by(place(from), place(to)) && !ends) return {};
     const auto take = [&](int k) { return is_free(k) && to - from + 2 < Grasp::most; };
-    while (take(from - 1) && within(from)) --from;
-    while (take(to + 1) && within(to)) ++to;
+    while (is_joined(from - 1) && take(from - 1) && within(from)) --from;
+    while (is_joined(to) && take(to + 1) && within(to)) ++to;
     Grasp grasp{from, to - from + 1, {}};
     for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
     return grasp;
@@ -88,12 +77,11 @@ bool World::is_held(int node) const {
 // already.
 void World::take_hold(Tool& tool) {
     const JawRoom room(tool.shape, tool.now.jaw);
-    const auto nodes = thread_.nodes();
-    const int last = static_cast<int>(nodes.size()) - 1;
-    const auto place = [&](int k) { return in_tool(tool.before, at(nodes, k)); };
-    const auto is_free = [&](int k) { return k >= 0 && k <= last && !is_held(k); };
-    for (int i = 0; i < last; ++i) {
-        const Grasp grasp = strand_between(room, tool.shape.jaw_radius, i, last, place, is_free);
+    const auto place = [&](int k) { return in_tool(tool.before, at(thread_.nodes(), k)); };
+    const auto is_free = [&](int k) { return !is_held(k); };
+    const auto is_joined = [&](int link) { return joins(thread_, link); };
+    for (int i = 0; i < static_cast<int>(thread_.rest_lengths().size()); ++i) {
+        const Grasp grasp = strand_between(room, tool.shape.jaw_radius, i, place, is_free, is_joined);
         if (grasp.count == 0) continue;
         tool.grasps.push_back(grasp);
         log("grasp", tool.def.name, 1e3 * std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
@@ -105,6 +93,7 @@ void World::take_hold(Tool& tool) {
 void World::update_grasps() {
     for (int number = 0; number < static_cast<int>(tools_.size()); ++number) {
         Tool& tool = tools_[static_cast<std::size_t>(number)];
+        if (tool.def.kind == instruments::Kind::scissors) continue;  // they never hold
         if (!tool.closed && tool.now.jaw < shut_below) {
             tool.closed = true;
             const JawRoom shut(tool.shape, tool.now.jaw);
@@ -160,7 +149,6 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     const Vec3 shift = tool.now.pose.rotation.conjugate() * slide;
 
     // What the jaws hold now: what lies between them after the shift, in the place it then has.
-    const int last = static_cast<int>(nodes.size()) - 1;
     const Grasp before = std::exchange(grasp, Grasp{});
     // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
     const auto place = [&](int k) -> Vec3 {
@@ -168,10 +156,11 @@ bool World::slip(Tool& tool, Grasp& grasp) {
         const bool from_anchor = !is_elastic() && held >= 0 && held < before.count;
         return shift + (from_anchor ? before.anchor[static_cast<std::size_t>(held)] : in_tool(tool.now, at(nodes, k)));
     };
-    const auto is_free = [&](int k) { return k >= 0 && k <= last && !is_held(k); };
+    const auto is_free = [&](int k) { return !is_held(k); };
+    const auto is_joined = [&](int link) { return joins(thread_, link); };
     const JawRoom room(tool.shape, tool.now.jaw);
     for (int i = before.first - 1; i < before.first + before.count && grasp.count == 0; ++i)
-        grasp = strand_between(room, tool.shape.jaw_radius, i, last, place, is_free);
+        grasp = strand_between(room, tool.shape.jaw_radius, i, place, is_free, is_joined);
     return grasp.count > 0;
 }
 

@@ -43,30 +43,40 @@ double off_surface(const VesselDef& tube, const Vec3& p) {
 
 }  // namespace
 
+// Its name may be of a moment ago, when there were fewer pieces.
+sim::thread::Piece World::tied_piece() const {
+    const auto pieces = thread_.pieces();
+    return pieces[std::min(static_cast<std::size_t>(measures_.piece), pieces.size() - 1)];
+}
+
 void World::locate_knot() {
     measures_.tail_mm = {0, 0};
     measures_.loop_mm = measures_.knot_mm = 0;
     measures_.off_tissue_mm = -1;
     measures_.around.clear();
-    if (measures_.hitched_to >= 0) locate_hitch(def_.vessels[static_cast<std::size_t>(measures_.hitched_to)]);
+    const sim::thread::Piece piece = tied_piece();
+    if (measures_.hitched_to >= 0) locate_hitch(def_.vessels[static_cast<std::size_t>(measures_.hitched_to)], piece);
     if (measures_.knot.factors.empty()) return;
-    const std::vector<Vec3> curve(thread_.nodes().begin(), thread_.nodes().end());
+    const std::vector<Vec3> curve(thread_.nodes().begin() + piece.first, thread_.nodes().begin() + piece.last + 1);
+    const auto rest = thread_.rest_lengths().subspan(static_cast<std::size_t>(piece.first));
     const Place place = place_of(curve, measures_.knot.knot);
-    measures_.tail_mm = {length_mm(thread_.rest_lengths(), 0, place.first),
-                         length_mm(thread_.rest_lengths(), place.last, curve.size() - 1)};
+    measures_.tail_mm = {length_mm(rest, 0, place.first),
+                         length_mm(rest, place.last, curve.size() - 1)};
     measure_knot(curve, place.first, place.last);
 }
 
 // Tails are what lies before the thread comes to the vessel and after it has left it.
-void World::locate_hitch(const VesselDef& vessel) {
+void World::locate_hitch(const VesselDef& vessel, const sim::thread::Piece& piece) {
     measures_.around.push_back(vessel.name);
-    const auto nodes = thread_.nodes();
+    const auto from = static_cast<std::size_t>(piece.first);
+    const auto nodes = thread_.nodes().subspan(from, static_cast<std::size_t>(piece.last) - from + 1);
+    const auto rest = thread_.rest_lengths().subspan(from);
     const auto near = [&](const Vec3& p) { return off_surface(vessel, p) < 2 * def_.thread.diameter; };
     const auto first = std::find_if(nodes.begin(), nodes.end(), near);
     if (first == nodes.end()) return;
     const auto last = std::find_if(nodes.rbegin(), nodes.rend(), near);
-    measures_.tail_mm = {length_mm(thread_.rest_lengths(), 0, static_cast<std::size_t>(first - nodes.begin())),
-                         length_mm(thread_.rest_lengths(), static_cast<std::size_t>(nodes.rend() - last) - 1, nodes.size() - 1)};
+    measures_.tail_mm = {length_mm(rest, 0, static_cast<std::size_t>(first - nodes.begin())),
+                         length_mm(rest, static_cast<std::size_t>(nodes.rend() - last) - 1, nodes.size() - 1)};
 }
 
 void World::measure_knot(const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {

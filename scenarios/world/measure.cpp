@@ -1,6 +1,7 @@
 #include "scenarios/world/measure.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "scenarios/world/world.hpp"
 
@@ -69,7 +70,28 @@ void World::measure(const sim::thread::TickReport& report) {
     name_beside();
 }
 
-static std::vector<Vec3> copy_of(std::span<const Vec3> nodes) { return {nodes.begin(), nodes.end()}; }
+std::vector<std::vector<Vec3>> World::curves() const {
+    std::vector<std::vector<Vec3>> curves;
+    for (const auto& [first, last] : thread_.pieces()) curves.emplace_back(thread_.nodes().begin() + first, thread_.nodes().begin() + last + 1);
+    return curves;
+}
+
+// By crossings first, for a hitch is no knot; of pieces tied alike the first.
+static bool ties_more(const sim::knot::Tied& a, const sim::knot::Tied& b) {
+    const auto much = [](const sim::knot::Tied& tied) {
+        int crossings = 0;
+        for (const auto& factor : tied.name.factors) crossings += factor.crossings;
+        return std::tuple(crossings, tied.name.throw_list.size(), tied.round >= 0);
+    };
+    return much(a) > much(b);
+}
+
+static TiedPiece most_tied(const std::vector<std::vector<Vec3>>& curves, const std::vector<std::vector<Vec3>>& cores) {
+    TiedPiece most{sim::knot::name_among(curves.front(), cores)};
+    for (std::size_t i = 1; i < curves.size(); ++i)
+        if (auto tied = sim::knot::name_among(curves[i], cores); ties_more(tied, most.tied)) most = {std::move(tied), static_cast<int>(i)};
+    return most;
+}
 
 // Ten names a second, faster than anyone reads them, each of a copy on another thread: no tick waits for the 2 ms that a
 // name takes. It is taken at a tick known beforehand, so that a session is the same however busy the machine is.
@@ -78,22 +100,24 @@ void World::name_beside() {
     if (naming_.valid() && ticks_ % period == delay) take_name(naming_.get());
     if (ticks_ % period != 0 || !moved_since_named_) return;
     moved_since_named_ = false;
-    naming_ = std::async(std::launch::async, [curve = copy_of(thread_.nodes()), cores = cores_] { return sim::knot::name_among(curve, cores); });
+    naming_ = std::async(std::launch::async, [curves = curves(), cores = cores_] { return most_tied(curves, cores); });
 }
 
 void World::name_knot_now() {
     if (naming_.valid()) naming_.get();  // out of date
     moved_since_named_ = false;
-    take_name(sim::knot::name_among(copy_of(thread_.nodes()), cores_));
+    take_name(most_tied(curves(), cores_));
 }
 
-void World::take_name(sim::knot::Tied tied) {
+void World::take_name(TiedPiece found) {
+    auto& [tied, piece] = found;
     if (tied.name.knot != measures_.knot.knot || tied.name.surgical != measures_.knot.surgical) {
         log("knot", tied.name.called(), 0);
         measures_.knot_since_s = time_s();
     }
     measures_.knot = std::move(tied.name);
     measures_.hitched_to = tied.round;
+    measures_.piece = piece;
 }
 
 }  // namespace scenarios::world

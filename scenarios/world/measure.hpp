@@ -17,8 +17,9 @@ struct Moment {
 struct Measures {
     sim::knot::Name knot;                      ///< Now, of the thread alone; a hitch, of the thread round a vessel.
     int hitched_to = -1;                       ///< That vessel.
+    int piece = 0;                             ///< Of a thread that was cut, the most tied; its knot and hitch are those above, its tails below.
     double knot_since_s = 0;                   ///< When it took this name.
-    std::vector<double> tail_mm;               ///< Two: from the knot to the first and to the last node; 0,0 if no knot.
+    std::vector<double> tail_mm;               ///< Two: from the knot to the first and to the last node of its piece; 0,0 if no knot.
     double loop_mm = 0;                        ///< Thread in the loop between the knot's two strands.
     double knot_mm = 0;                        ///< Thread in those strands: the less, the tighter.
     double off_tissue_mm = -1;                 ///< From the knot to the tube it goes round; -1 where it goes round none.

@@ -1,4 +1,4 @@
-#include "scenarios/world/jaw_room.hpp"
+#include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {

@@ -1,3 +1,4 @@
+#include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {
@@ -12,6 +13,7 @@ void World::tick(std::span<const ToolInput> inputs) {
     let_grasps_slip();
     move_vessels();
     measure(report);
+    part_thread();
 }
 
 // A tool that had to wait comes after its hand no faster than hands move in surgery (99 of 100 moments, da Vinci logs):
@@ -34,20 +36,26 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
             log("input_dropped", tool.def.name, 0);
             continue;
         }
-        const instruments::Advance advance = bench_.advance(static_cast<int>(i), within_a_tick(tool, *wanted, def_.tick_s));
+        ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
+        if (tool.def.kind == instruments::Kind::scissors) next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
+        const instruments::Advance advance = bench_.advance(static_cast<int>(i), next);
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
     }
 }
 
-// Links where they are needed; what is held is found again by its new numbers.
-void World::fit_links() {
+void World::list_held() {
     held_.clear();
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
             for (int k = 0; k < grasp.count; ++k) held_.push_back(grasp.first + k);
     if (has_needle()) held_.insert(held_.end(), {0, 1});
+}
+
+// Links where they are needed; what is held is found again by its new numbers.
+void World::fit_links() {
+    list_held();
     if (!thread_.fit_links(held_)) return;
     std::size_t next = 0;
     for (Tool& tool : tools_)

@@ -4,18 +4,23 @@
 
 namespace scenarios::world {
 
+static double section(const ThreadDef& def) {
+    constexpr double quarter_pi = 0.78539816339744831;
+    return quarter_pi * def.diameter * def.diameter;  // [m^2]
+}
+
 static sim::thread::RodDef elastic(const ThreadDef& def) {
     constexpr double g = 9.81;
     sim::thread::RodDef rod{.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .keeps_shape = true,
                             .quasi_static = !def.swings, .yield_strain = def.yield_strain};
     if (def.stretches) rod.axial_over_bending = 0;
+    constexpr double beyond = 1.05;  // tools wait a hundredth below the most
+    rod.most_strain = std::max(rod.most_strain, beyond * def.break_force / (def.young_modulus * section(def)));
     if (def.weighs) rod.gravity = {0, 0, -g};
     return rod;
 }
 
 static sim::thread::Thread make_thread(const ThreadDef& def) {
-    constexpr double quarter_pi = 0.78539816339744831;
-    const double section = quarter_pi * def.diameter * def.diameter;
     // The path may be longer or shorter than the thread: cut it, or go on straight.
     std::vector<Vec3> path{def.start.front()};
     double left = def.length;
@@ -26,7 +31,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
         path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
         left -= length;
     }
-    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section, def.shortest_link, def.contacts_per_tick};
+    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section(def), def.shortest_link, def.contacts_per_tick};
     if (def.model == "elastic") thread.elastic = elastic(def);
     return {thread, sim::thread::resample(path, def.links)};
 }
@@ -40,7 +45,7 @@ static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
     : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
-      targets_(wall_.tree().triangles()) {
+      targets_(wall_.tree().triangles()), strength_{def.thread.break_force} {
     if (!surface.empty()) bench_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
@@ -90,6 +95,7 @@ std::uint64_t World::hash() const {
     if (has_needle())
         for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards})
             for (int c = 0; c < 3; ++c) add((*of_needle)[c]);
+    if (strength_.pulled_s > 0) add(strength_.pulled_s);
     return hash;
 }
 

@@ -64,6 +64,12 @@ struct Needle {
     Holder holder, next;
 };
 
+/// What the most tied of several pieces of thread is tied to.
+struct TiedPiece {
+    sim::knot::Tied tied;
+    int piece = 0;
+};
+
 /// Worst of the whole session so far; a drill's result quotes them.
 struct Worst {
     double stretch = 0, separation = 1e300, step_over_bound = 0;
@@ -88,6 +94,8 @@ class World {
     std::span<const Tool> tools() const { return tools_; }
     std::span<const sim::geometry::Vec3> thread() const { return thread_.nodes(); }
     const sim::thread::Thread& thread_state() const { return thread_; }
+    std::vector<std::vector<Vec3>> curves() const;  ///< Of its pieces.
+    sim::thread::Piece tied_piece() const;  ///< That the knot in measures() is in.
     /// Those that give way, in the order of the definition.
     std::span<const SoftVessel> vessels() const { return vessels_; }
     bool has_needle() const { return !def_.needle_code.empty(); }
@@ -109,6 +117,7 @@ class World {
 
   private:
     void move_instruments(std::span<const ToolInput> inputs);
+    void list_held();
     void fit_links();
     void update_grasps();
     sim::thread::TickReport move_thread();
@@ -120,9 +129,16 @@ class World {
     void renew_wall();
     void show_vessels();
     void measure(const sim::thread::TickReport& report);
+    void part_thread();
+    void break_where_pulled_too_hard();
+    void close_blades(Tool& tool);
+    bool cut(int link, double share);
+    void hold_pieces();
+    void hold_pieces(Tool& tool, std::span<const int> held);
+    double place_mm(int link, double share) const;
     void name_beside();
-    void take_name(sim::knot::Tied tied);
-    void locate_hitch(const VesselDef& vessel);
+    void take_name(TiedPiece tied);
+    void locate_hitch(const VesselDef& vessel, const sim::thread::Piece& piece);
     void measure_knot(const std::vector<sim::geometry::Vec3>& curve, std::size_t first, std::size_t last);
 
     bool take_needle(int number, const JawRoom& room);
@@ -165,8 +181,9 @@ class World {
     Worst worst_;
     std::uint64_t ticks_ = 0, substeps_ = 0;
     double tension_now_ = 0, stretch_now_ = 0;
+    sim::thread::Strength strength_;
     bool moved_since_named_ = true;
-    std::future<sim::knot::Tied> naming_;
+    std::future<TiedPiece> naming_;
     std::vector<std::vector<sim::geometry::Vec3>> cores_;  // of the vessels
 };
 

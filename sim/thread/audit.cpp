@@ -103,6 +103,8 @@ int audit(const State& state) {
     boxes.assign(static_cast<std::size_t>(blocks), Box{});
     swept_by.resize(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
+        swept_by[static_cast<std::size_t>(i)] = {};
+        if (state.is_cut(static_cast<std::size_t>(i))) continue;  // nothing: meets nothing
         swept_by[static_cast<std::size_t>(i)] = link(i).swept();
         boxes[static_cast<std::size_t>(i / block)].include(swept_by[static_cast<std::size_t>(i)]);
     }

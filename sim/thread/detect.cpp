@@ -25,7 +25,7 @@ static void detect_self(State& state) {
     constexpr double pi = 3.14159265358979;
     const double reach2 = state.reach * state.reach, half_turn = pi * state.def.radius;
     state.tree.self_pairs(state.reach, 2, [&](int i, int j) {
-        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn) return;
+        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn || state.is_cut(at(i)) || state.is_cut(at(j))) return;
         const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
         if (pair.distance_squared < reach2) add(state, Against::thread, i, j, (1 + skin) * 2 * state.def.radius, pair);
     });
@@ -39,6 +39,7 @@ static void detect_capsules(State& state) {
         box.include(capsule.a);
         box.include(capsule.b);
         state.tree.near(box.grown(reach), [&](int i) {
+            if (state.is_cut(at(i))) return;
             const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], capsule.a, capsule.b);
             if (pair.distance_squared < reach * reach && !is_held_by(state, i, state.input.capsules[c].owner))
                 add(state, Against::capsule, i, static_cast<int>(c), state.def.radius + capsule.radius, pair);
@@ -53,6 +54,7 @@ static void detect_surface(State& state) {
         state.found.clear();
         surface.near(box.grown(state.reach), state.found);
         for (int i = std::max(first, state.input.sheathed); i < last; ++i) {
+            if (state.is_cut(at(i))) continue;
             const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
             const Box near_link = Box{a0.cwiseMin(a1), a0.cwiseMax(a1)}.grown(state.reach);
             for (const int triangle : state.found) {
@@ -83,7 +85,7 @@ static bool scene_changed(State& state) {
 // What was beyond reach cannot touch before something has moved by half the rest. Held nodes and tools that are asked to
 // go `way` need that much room besides, for what has not been looked at bounds every node.
 bool look_around(State& state, double way) {
-    const double touching = 2 * state.def.radius, reach = 3 * touching;
+    const double touching = 2 * state.def.radius, reach = looked_around * state.def.radius;
     const double unseen = reach - 2 * state.moved;
     const bool roomy = unseen > touching && (state.moved == 0 || bound_share * unseen > 2 * way);
     if (!scene_changed(state) && roomy) return false;

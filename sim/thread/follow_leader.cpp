@@ -14,8 +14,8 @@ static Vec3 follow(const Vec3& leader, const Vec3& old_place, double rest) {
 
 // The free tail beyond a held node.
 static void drag_tail(State& state, int held, int direction) {
-    const int last = direction > 0 ? state.links() : 0;
-    for (int i = held; i != last; i += direction) {
+    const auto is_tip = [&](int node) { return direction > 0 ? state.is_last(static_cast<std::size_t>(node)) : state.is_first(static_cast<std::size_t>(node)); };
+    for (int i = held; !is_tip(i); i += direction) {
         const auto leader = static_cast<std::size_t>(i), follower = static_cast<std::size_t>(i + direction);
         const double rest = state.rest[static_cast<std::size_t>(direction > 0 ? i : i - 1)];
         state.nodes[follower] = follow(state.nodes[leader], state.nodes[follower], rest);
@@ -44,7 +44,7 @@ void place_held(State& state) {
         const auto i = static_cast<std::size_t>(holds[h].node);
         const double progress = state.progress[static_cast<std::size_t>(state.input.hold_owners[h] + 1)];
         state.nodes[i] = state.hold_from[h] + progress * (holds[h].target - state.hold_from[h]);
-        const bool beside_last = h > 0 && holds[h - 1].node + 1 == holds[h].node;
+        const bool beside_last = h > 0 && holds[h - 1].node + 1 == holds[h].node && !state.is_cut(i - 1);
         if (beside_last) state.nodes[i] = follow(state.nodes[i - 1], state.nodes[i], state.rest[i - 1]);
     }
 }
@@ -67,6 +67,7 @@ void carry_taut_spans(State& state) {
     std::fill(state.carried.begin(), state.carried.end(), Vec3::Zero());
     std::size_t previous = state.nodes.size();
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        if (state.is_first(i)) previous = state.nodes.size();
         if (state.inverse_mass[i] > 0) continue;
         if (previous + 1 < i) {
             const Vec3 way = tautness(state, previous, i) *
@@ -82,14 +83,17 @@ void carry_taut_spans(State& state) {
 void follow_leader(State& state) {
     int previous = -1;
     for (int i = 0; i <= state.links(); ++i) {
-        if (state.inverse_mass[static_cast<std::size_t>(i)] > 0) continue;
-        if (previous < 0)
-            drag_tail(state, i, -1);
-        else
-            drag_between(state, previous, i);
-        previous = i;
+        if (state.inverse_mass[static_cast<std::size_t>(i)] == 0) {
+            if (previous < 0)
+                drag_tail(state, i, -1);
+            else
+                drag_between(state, previous, i);
+            previous = i;
+        }
+        if (!state.is_last(static_cast<std::size_t>(i))) continue;
+        if (previous >= 0) drag_tail(state, previous, +1);
+        previous = -1;
     }
-    if (previous >= 0) drag_tail(state, previous, +1);
 }
 
 }  // namespace sim::thread

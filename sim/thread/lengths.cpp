@@ -5,16 +5,22 @@ namespace sim::thread {
 double worst_stretch(const State& state, const std::vector<Vec3>& nodes) {
     double worst = 0;
     for (std::size_t k = 0; k < state.rest.size(); ++k) {
+        if (state.is_cut(k)) continue;
         const double length = (nodes[k + 1] - nodes[k]).norm();
         worst = std::max(worst, std::abs(length / state.rest[k] - 1));
     }
     return worst;
 }
 
-// Directions of all links, their length errors into `multiplier`; returns the worst relative error.
+// Directions of all links, their length errors into `multiplier`; returns the worst relative error. A cut has neither.
 static double measure_links(State& state) {
     double worst = 0;
     for (std::size_t k = 0; k < state.rest.size(); ++k) {
+        if (state.is_cut(k)) {
+            state.unit[k].setZero();
+            state.multiplier[k] = 0;
+            continue;
+        }
         const Vec3 d = state.nodes[k + 1] - state.nodes[k];
         const double length = d.norm();
         state.unit[k] = length > 0 ? Vec3(d / length) : Vec3::UnitX();

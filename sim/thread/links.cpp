@@ -15,9 +15,8 @@ static double sagitta(double l, double turn) { return l * turn / 8; }
 
 static Vec3 direction(const State& state, std::size_t link) { return (state.nodes[link + 1] - state.nodes[link]).stableNormalized(); }
 
-// By how much the thread turns at a node [rad], as the chord of the angle; not at all at its ends.
-static double turn_at(const State& state, std::size_t node) {
-    return node == 0 || node == state.rest.size() ? 0 : (direction(state, node) - direction(state, node - 1)).norm();
+double turn_at(const State& state, std::size_t node) {
+    return state.is_end(node) ? 0 : (direction(state, node) - direction(state, node - 1)).norm();
 }
 
 // Nearest other strand of every link, in thicknesses, as it was when last looked at. What is as near along the thread as we
@@ -42,7 +41,7 @@ static bool can_go(const State& state, std::size_t node) {
     constexpr double clear = 1.9;  // nearer strands are measured in every substep
     constexpr double most_moved = 0.1;
     const double a = state.rest[node - 1], b = state.rest[node], joined = a + b;
-    if (state.inverse_mass[node] == 0 || joined > state.longest_link || std::min(state.nearest[node - 1], state.nearest[node]) < clear)
+    if (state.is_end(node) || state.inverse_mass[node] == 0 || joined > state.longest_link || std::min(state.nearest[node - 1], state.nearest[node]) < clear)
         return false;
     const double off = a * b / joined * turn_at(state, node);
     const double turn = turn_at(state, node) + std::max(turn_at(state, node - 1), turn_at(state, node + 1));
@@ -59,20 +58,29 @@ static void erase(std::vector<T>& values, std::size_t place) {
     values.erase(values.begin() + static_cast<std::ptrdiff_t>(place));
 }
 
-static void halve(State& state, std::size_t link) {
-    const auto insert_middle = [&](auto& values) { insert(values, link + 1, typename std::decay_t<decltype(values)>::value_type(0.5 * (values[link] + values[link + 1]))); };
-    insert_middle(state.nodes);
-    insert_middle(state.drift);
-    insert_middle(state.following);
+static void renumber(std::span<int> held, int from, int by) {
+    for (int& node : held)
+        if (node >= from) node += by;
+}
+
+void split(State& state, std::size_t link, double share, std::span<int> held) {
+    const auto insert_between = [&](auto& values) {
+        insert(values, link + 1, typename std::decay_t<decltype(values)>::value_type((1 - share) * values[link] + share * values[link + 1]));
+    };
+    insert_between(state.nodes);
+    insert_between(state.drift);
+    insert_between(state.following);
     insert(state.inverse_mass, link + 1, 1.0);
-    state.rest[link] /= 2;
     for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) insert(*of_links, link, (*of_links)[link]);
+    state.rest[link] *= share;
+    state.rest[link + 1] *= 1 - share;
+    const int parted = static_cast<int>(link);
+    renumber(held, parted + 1, 1);
     if (!state.rod) return;
-    state.rod->halve(link);
-    const int halved = static_cast<int>(link);
+    state.rod->split(link, share);
     for (Row& row : state.pressed) {
-        if (row.link > halved || (row.link == halved && row.s > 0.5)) ++row.link;
-        if (row.against == Against::thread && (row.other > halved || (row.other == halved && row.t > 0.5))) ++row.other;
+        if (row.link > parted || (row.link == parted && row.s > share)) ++row.link;
+        if (row.against == Against::thread && (row.other > parted || (row.other == parted && row.t > share))) ++row.other;
     }
 }
 
@@ -92,18 +100,12 @@ static void join_at(State& state, std::size_t node) {
     }
 }
 
-static void renumber(std::span<int> held, int from, int by) {
-    for (int& node : held)
-        if (node >= from) node += by;
-}
-
 // From the last to the first, so that what is still to be looked at keeps its number.
 static bool halve_where_needed(State& state, std::span<int> held) {
     bool changed = false;
     for (int k = state.links() - 1; k >= 0; --k) {
         if (!asks_for_shorter(state, at(k))) continue;
-        halve(state, at(k));
-        renumber(held, k + 1, 1);
+        split(state, at(k), 0.5, held);
         changed = true;
     }
     return changed;
@@ -121,6 +123,15 @@ static bool join_where_straight(State& state, std::span<int> held) {
     return changed;
 }
 
+void renew(State& state) {
+    state.size_for_links();
+    if (state.rod) state.rod->resize();
+    state.contacts.clear();
+    state.rows.clear();
+    state.seen.clear();  // to be looked for again
+    state.settled = false;
+}
+
 bool fit_links(State& state, std::span<int> held) {
     const bool stands = state.unfinished.pace >= 0 || (state.reach > 0 && state.moved <= state.def.radius);
     if (state.def.shortest_link <= 0 || state.settled || stands) return false;
@@ -129,12 +140,7 @@ bool fit_links(State& state, std::span<int> held) {
     measure_nearest(state);
     const bool joined = join_where_straight(state, held), halved = halve_where_needed(state, held);
     if (!joined && !halved) return false;
-    state.size_for_links();
-    if (state.rod) state.rod->resize();
-    state.contacts.clear();
-    state.rows.clear();
-    state.seen.clear();  // to be looked for again
-    state.settled = false;
+    renew(state);
     return true;
 }
 

@@ -17,7 +17,7 @@ double RodDef::axial_stiffness(double link) const {
     const double shorter = std::max(1.0, 0.5 * radius / link);  // than where it would stretch rather than bend
     return young * std::numbers::pi * radius * radius * shorter * shorter;
 }
-double RodDef::most_pull() const { return 0.1 * young * std::numbers::pi * radius * radius; }
+double RodDef::most_pull() const { return most_strain * young * std::numbers::pi * radius * radius; }
 // Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
 // thickness.
 double RodDef::contact_stiffness(double link) const { return 10 * axial_stiffness(link) / (2 * radius); }
@@ -43,6 +43,7 @@ void Rod::resize() {
     twisted_length_ = softest_ = stiffest_ = 0;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double l = rest_[k];
+        if (is_cut(k)) continue;
         for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * l * def_.mass_per_length();
         // From the middle of the first link to that of the last: links themselves do not twist.
         if (k > 0) twisted_length_ += 0.5 * (rest_[k - 1] + l);
@@ -53,18 +54,26 @@ void Rod::resize() {
     stiff_ = contact_over_axial * stiffest_;
 }
 
-template <class T>
-static void insert_middle(std::vector<T>& values, std::size_t before) {
-    const T middle = 0.5 * (values[before] + values[before + 1]);
-    values.insert(values.begin() + static_cast<std::ptrdiff_t>(before) + 1, middle);
+void Rod::split(std::size_t link, double share) {
+    const auto place = static_cast<std::ptrdiff_t>(link);
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity}) {
+        const Vec3 between = (1 - share) * (*of_nodes)[link] + share * (*of_nodes)[link + 1];
+        of_nodes->insert(of_nodes->begin() + place + 1, between);
+    }
+    natural_.insert(natural_.begin() + place + 1, 0.0);
+    for (auto* of_links : {&rest_, &now_.tension}) of_links->insert(of_links->begin() + place, (*of_links)[link]);
+    rest_[link] *= share;
+    rest_[link + 1] *= 1 - share;
 }
 
-void Rod::halve(std::size_t link) {
-    insert_middle(now_.nodes, link);
-    insert_middle(now_.velocity, link);
-    natural_.insert(natural_.begin() + static_cast<std::ptrdiff_t>(link) + 1, 0.0);
-    rest_[link] /= 2;
-    for (auto* of_links : {&rest_, &now_.tension}) of_links->insert(of_links->begin() + static_cast<std::ptrdiff_t>(link), (*of_links)[link]);
+void Rod::leave_out(std::size_t first, std::size_t second) {
+    const auto from = static_cast<std::ptrdiff_t>(first) + 1, to = static_cast<std::ptrdiff_t>(second);
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity}) of_nodes->erase(of_nodes->begin() + from, of_nodes->begin() + to);
+    natural_.erase(natural_.begin() + from, natural_.begin() + to);
+    for (auto* of_links : {&rest_, &now_.tension}) {
+        (*of_links)[first] = 0;
+        of_links->erase(of_links->begin() + from, of_links->begin() + to);
+    }
 }
 
 // By the law of the lever, so that all but the two links between lie as they would have lain.
@@ -84,7 +93,7 @@ void Rod::join_at(std::size_t node) {
 
 void Rod::reserve(std::size_t links) {
     for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_, &newton_, &spread_, &trial_}) of_nodes->reserve(links + 1);
-    for (auto* of_links : {&rest_, &mass_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
+    for (auto* of_links : {&rest_, &mass_, &inert_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
     held_.reserve(links + 1);
     for (auto* measured : {&links_, &tried_}) measured->reserve(links);
 }
@@ -105,7 +114,8 @@ static constexpr double most_turn = 0.3;
 
 double Rod::largest_turn() const {
     double largest = 0;
-    for (std::size_t k = 0; k < rest_.size(); ++k) largest = std::max((newton_[k + 1] - newton_[k]).norm() / rest_[k], largest);
+    for (std::size_t k = 0; k < rest_.size(); ++k)
+        if (!is_cut(k)) largest = std::max((newton_[k + 1] - newton_[k]).norm() / rest_[k], largest);
     return largest;
 }
 
@@ -113,7 +123,7 @@ double Rod::largest_turn() const {
 void Rod::foresee_tensions() {
     foreseen_.resize(rest_.size());
     for (std::size_t k = 0; k < rest_.size(); ++k)
-        foreseen_[k] = def_.axial_stiffness(rest_[k]) * ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_[k] - 1);
+        foreseen_[k] = is_cut(k) ? 0 : def_.axial_stiffness(rest_[k]) * ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_[k] - 1);
 }
 
 // Into trial_: nodes along the step, with links as long as it foresees: turning stretches them to second order, and so stiff are they that
@@ -123,6 +133,7 @@ void Rod::try_share(double share) {
     lengths_.resize(rest_.size());
     for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = now_.nodes[i] + share * newton_[i];
     for (std::size_t k = 0; k < rest_.size(); ++k) {
+        if (is_cut(k)) continue;
         const double then = rest_[k] * (1 + foreseen_[k] / def_.axial_stiffness(rest_[k]));
         lengths_[k] = links_[k].length + share * (then - links_[k].length);
     }
@@ -165,9 +176,9 @@ void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
         for (std::size_t k = 0; k < n; ++k) {
             shorten_[k] = tried_[k].length - lengths[k];
             pivot_[k] = gives(k) + gives(k + 1);
-            if (pivot_[k] == 0) pivot_[k] = 1, shorten_[k] = 0;  // between two held nodes
+            if (pivot_[k] == 0 || is_cut(k)) pivot_[k] = 1, shorten_[k] = 0;  // between two held nodes
             if (k == 0) continue;
-            upper_[k - 1] = -gives(k) * tried_[k - 1].along.dot(tried_[k].along);
+            upper_[k - 1] = is_cut(k - 1) || is_cut(k) ? 0 : -gives(k) * tried_[k - 1].along.dot(tried_[k].along);
             const double factor = upper_[k - 1] / pivot_[k - 1];
             pivot_[k] -= factor * upper_[k - 1], shorten_[k] -= factor * shorten_[k - 1];
             // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a millionth of
@@ -196,7 +207,7 @@ bool Rod::foresaw_tensions() {
     bool so = true;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double now = tension(static_cast<int>(k));
-        so = so && std::abs(now - now_.tension[k]) < enough * def_.bending_stiffness() / (rest_[k] * rest_[k]);
+        so = so && (is_cut(k) || std::abs(now - now_.tension[k]) < enough * def_.bending_stiffness() / (rest_[k] * rest_[k]));
         now_.tension[k] = now;
     }
     return so;
@@ -273,10 +284,11 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
 void Rod::begin(const RodInput& input, double seconds) {
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
-    inertia_ = seconds > 0 && def_.density > 0 && !def_.quasi_static ? 1 / (seconds * seconds) : 0;
+    inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
     turn_ = input.turn;
     held_.assign(now_.nodes.size(), 0);
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
+    find_inert();
     loads_.resize(now_.nodes.size());
     double extent = twisted_length_;
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
@@ -286,6 +298,22 @@ void Rod::begin(const RodInput& input, double seconds) {
         extent = std::max(extent, now_.nodes[i].cwiseAbs().maxCoeff());
     }
     tolerance_ = input.tolerance.value_or(1e-14 * stiffest_ * extent);
+}
+
+// In balance in every tick nothing has inertia but, cut off and held by nobody, what would fall without end.
+void Rod::find_inert() {
+    if (!def_.quasi_static) {
+        inert_ = mass_;
+        return;
+    }
+    inert_.assign(mass_.size(), 0);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < mass_.size(); ++i) {
+        if (i < rest_.size() && !is_cut(i)) continue;
+        const bool whole = i - first == rest_.size(), held = std::find(held_.data() + first, held_.data() + i + 1, 1) != held_.data() + i + 1;
+        if (!whole && !held) std::copy(mass_.data() + first, mass_.data() + i + 1, inert_.data() + first);
+        first = i + 1;
+    }
 }
 
 void Rod::lead(std::span<const Hold> targets) {
@@ -336,6 +364,7 @@ double Rod::share_within(double most) {
 // Whether links at `x` are no longer than they may be, or are: a kink that is pulled straight turns farther than its tensions foresee.
 bool Rod::pulls_within(const std::vector<Vec3>& x) const {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
+        if (is_cut(k)) continue;
         const double longest = rest_[k] * (1 + def_.most_pull() / def_.axial_stiffness(rest_[k]));
         if ((x[k + 1] - x[k]).norm() > std::max(longest, links_[k].length)) return false;
     }
@@ -384,7 +413,7 @@ void Rod::end() {
 
 double Rod::tension(int link) const {
     const auto k = static_cast<std::size_t>(link);
-    return def_.axial_stiffness(rest_[k]) * ((now_.nodes[k + 1] - now_.nodes[k]).norm() / rest_[k] - 1);
+    return is_cut(k) ? 0 : def_.axial_stiffness(rest_[k]) * ((now_.nodes[k + 1] - now_.nodes[k]).norm() / rest_[k] - 1);
 }
 
 Vec3 Rod::hold_force(int node) const { return -force_[static_cast<std::size_t>(node)]; }

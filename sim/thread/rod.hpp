@@ -80,8 +80,10 @@ class Rod {
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
     void end();
 
-    /// Between steps: a link cut at its middle, and two links made one where they meet. resize() after the last of them.
-    void halve(std::size_t link);
+    /// Between steps: a link made two, and two links made one where they meet; nodes between two left out, with a cut instead, of
+    /// length 0. resize() after the last of them. A rod that is cut goes by stages alone and carries no twist.
+    void split(std::size_t link, double share);
+    void leave_out(std::size_t first, std::size_t second);
     void join_at(std::size_t node);
     void resize();
     void reserve(std::size_t links);
@@ -91,7 +93,7 @@ class Rod {
     std::span<const Vec3> velocity() const { return now_.velocity; }  ///< [m/s]
     std::span<const double> rest_lengths() const { return rest_; }
     std::span<const double> natural_bends() const { return natural_; }  ///< Of each node when unloaded, as the difference of its links' tangents.
-    double tension(int link) const;        ///< [N], negative where it is pushed together.
+    double tension(int link) const;        ///< [N], negative where it is pushed together; 0 of a cut.
     double twist_moment() const;           ///< [N m], the same all along.
     Vec3 hold_force(int node) const;       ///< What a hold pulled with in the last step [N].
     double twist() const { return now_.twist; }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
@@ -115,6 +117,7 @@ class Rod {
         Vec3 pull, aside;
         double own;
     };
+    bool is_cut(std::size_t link) const { return rest_[link] == 0; }
     static void measure(const std::vector<Vec3>& x, std::vector<Link>& links);
     double energy_of(const std::vector<Link>& links) const;
 
@@ -159,6 +162,7 @@ class Rod {
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);
 
+    void find_inert();
     void find_velocity();
     void take_set();
     void hand_on_natural_bend(std::size_t node);
@@ -167,6 +171,7 @@ class Rod {
 
     RodDef def_;
     std::vector<double> rest_, mass_;      // per link [m], per node [kg]
+    std::vector<double> inert_;            // what of the mass has inertia in this step [kg]
     std::vector<double> natural_;          // bend of an unloaded node, as the difference of tangents
     double twisted_length_ = 0;            // [m]
     double softest_ = 0, stiffest_ = 0;    // [N/m] added to every node, and of a link against stretch

@@ -22,6 +22,7 @@ struct RodDef {
     /// 16 / (3 pi) of the moment at which the outermost begin to; here it springs up to that moment and gives way at it, where a true one
     /// gives way little by little. Of bending alone: what a pull adds to the strain is left out.
     double yield_strain = 0;
+    double most_strain = 0.1;        ///< No step pulls harder than its material does at this strain.
     geometry::Vec3 gravity = geometry::Vec3::Zero();  ///< [m/s^2]
 
     double bending_stiffness() const;   ///< B = E I [N m^2].
@@ -29,7 +30,7 @@ struct RodDef {
     double twisting_stiffness() const;  ///< C = B / (1 + poisson) [N m^2].
     /// [N], of links of this length. Of one shorter than half a radius never less than a bend's next to it, B / link^2.
     double axial_stiffness(double link) const;
-    double most_pull() const;           ///< [N] at a strain of a tenth: no step pulls harder.
+    double most_pull() const;           ///< [N] at most_strain.
     double contact_stiffness(double link) const;  ///< [N/m], where strands are nearer to each other than they are thick.
     double mass_per_length() const;     ///< [kg/m]
 };

@@ -9,8 +9,8 @@ using Block = ChainMatrix::Block;
 
 // What a bend at a node between links a and b is worth: B over the thread between their middles, for half the square of the
 // difference of their tangents. That is twice the sine of half their angle, which makes the curvature that of the circle through
-// three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error.
-static double bend_stiffness(const RodDef& def, double a, double b) { return 2 * def.bending_stiffness() / (a + b); }
+// three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error. Nothing bends at a cut.
+static double bend_stiffness(const RodDef& def, double a, double b) { return a > 0 && b > 0 ? 2 * def.bending_stiffness() / (a + b) : 0; }
 
 void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
     links.resize(x.size() - 1);
@@ -24,6 +24,7 @@ void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
 double Rod::energy_of(const std::vector<Link>& links) const {
     double sum = 0;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
+        if (is_cut(k)) continue;
         const double strain = links[k].length / rest_[k] - 1;
         sum += 0.5 * def_.axial_stiffness(rest_[k]) * rest_[k] * strain * strain;
         if (k == 0) continue;
@@ -38,7 +39,7 @@ double Rod::energy(const std::vector<Vec3>& x, std::vector<Link>& links) {
     double sum = energy_of(links) + contact_energy(x);
     for (std::size_t i = 0; i < x.size(); ++i) {
         sum -= loads_[i].dot(x[i]);
-        if (inertia_ > 0) sum += 0.5 * inertia_ * mass_[i] * (x[i] - aim_[i]).squaredNorm();
+        if (inertia_ > 0) sum += 0.5 * inertia_ * inert_[i] * (x[i] - aim_[i]).squaredNorm();
     }
     const double twist = twist_at(x);
     return sum + 0.5 * def_.twisting_stiffness() / twisted_length_ * twist * twist;
@@ -47,6 +48,11 @@ double Rod::energy(const std::vector<Vec3>& x, std::vector<Link>& links) {
 void Rod::add_stretch(Keep keep) {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         Link& link = links_[k];
+        if (is_cut(k)) {
+            link.pull = link.aside = Vec3::Zero();
+            link.own = 0;
+            continue;
+        }
         const double axial = def_.axial_stiffness(rest_[k]);
         // A link that is pushed together would fall aside.
         const double across = (keep == Keep::whole ? now_.tension[k] : std::max(0.0, now_.tension[k])) / link.length;
@@ -108,7 +114,7 @@ void Rod::spread_to_nodes() {
         }
         if (i + 1 < n) crossing = cross(i);
         Block at_node = own_before + own - cross_before - cross_before.transpose();
-        at_node.diagonal().array() += std::max(softest_, inertia_ * mass_[i]);  // more than inertia would be drag
+        at_node.diagonal().array() += std::max(softest_, inertia_ * inert_[i]);  // more than inertia would be drag
         put(matrix_.column(3 * i), at_node, cross_before - own + crossing, -crossing);
         own_before = own, cross_before = crossing;
     }
@@ -131,7 +137,7 @@ void Rod::add_rolling(std::span<const Rolling> rolling) {
 void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     matrix_.clear(now_.nodes.size());
     measure(now_.nodes, links_);
-    for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * mass_[i] * (now_.nodes[i] - aim_[i]);
+    for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * inert_[i] * (now_.nodes[i] - aim_[i]);
     add_stretch(keep);
     add_bending(keep);
     spread_to_nodes();

@@ -117,11 +117,16 @@ struct State {
     void size_for_links();
 
     int links() const { return static_cast<int>(rest.size()); }
+    /// A cut is a link that is no more; it has no length, and what it parts meets only as other strands do.
+    bool is_cut(std::size_t link) const { return rest[link] == 0; }
+    bool is_first(std::size_t node) const { return node == 0 || is_cut(node - 1); }  ///< Of its piece,
+    bool is_last(std::size_t node) const { return node == rest.size() || is_cut(node); }
+    bool is_end(std::size_t node) const { return is_first(node) || is_last(node); }
 
     ThreadDef def;
     std::vector<Vec3> nodes;
-    std::vector<double> rest;          ///< [m]
-    std::vector<double> arc;           ///< Per node: length of thread before it [m].
+    std::vector<double> rest;          ///< [m]; 0: a cut.
+    std::vector<double> arc;           ///< Per node: length of thread before it, with a cut as long as nothing is looked for [m].
     double longest_link;               ///< When the thread was made [m].
     std::vector<double> nearest;       ///< Scratch: per link, distance of the nearest strand in thicknesses.
 
@@ -197,6 +202,7 @@ struct State {
     mutable std::vector<int> audit_found;
 };
 
+constexpr double looked_around = 6;             ///< Radii: how far strands look for each other.
 constexpr int most_work = 54;                  ///< Of a tick, in passes: what is left then is lag.
 
 // Tolerances, as shares of the thread's own sizes.
@@ -309,6 +315,15 @@ int audit(const State& state);
 /// Halves links that bend or touch and joins straight ones, by ThreadDef::shortest_link, each time the thread has moved by its
 /// own radius; whether any changed (links.cpp).
 bool fit_links(State& state, std::span<int> held);
+/// A node more, at a share of a link; nothing moves.
+void split(State& state, std::size_t link, double share, std::span<int> held);
+/// After links have changed: what there is one of per link, and what was known of their surroundings.
+void renew(State& state);
+/// As Thread::cut (cut.cpp).
+bool cut(State& state, std::size_t link, double share, std::span<int> held);
+int most_loaded(const State& state);
+/// By how much the thread turns at a node [rad], as the chord of the angle; not at all at the ends of a piece.
+double turn_at(const State& state, std::size_t node);
 
 /// What the thread does to the surface as it lies now, after the tick's tensions are known (surface.cpp).
 void find_surface_forces(State& state);

@@ -32,7 +32,7 @@ void estimate_tension(State& state) {
         const Vec3 lag = hold.wanted - state.nodes[i];
         for (const int direction : {-1, +1}) {
             const std::size_t link = direction > 0 ? i : i - 1;
-            if (link >= state.rest.size()) continue;  // no thread on this side
+            if (link >= state.rest.size() || state.is_cut(link)) continue;  // no thread on this side
             const Vec3 away = state.nodes[direction > 0 ? i + 1 : i - 1] - state.nodes[i];
             spread(state, link, direction, -lag.dot(away) / state.rest[link]);
         }

@@ -60,9 +60,10 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
 void State::size_for_links() {
     const std::size_t n = rest.size();
     arc.assign(1, 0.0);
-    for (const double length : rest) arc.push_back(arc.back() + length);
+    for (std::size_t k = 0; k < n; ++k) arc.push_back(arc.back() + (is_cut(k) ? looked_around * def.radius : rest[k]));
     least_span.assign(n, 0.0);
-    for (std::size_t i = 1; i < n; ++i) least_span[i] = thread::least_span(rest[i - 1], rest[i], def.radius);
+    for (std::size_t i = 1; i < n; ++i)
+        if (!is_end(i)) least_span[i] = thread::least_span(rest[i - 1], rest[i], def.radius);
     before = unfinished.nodes = nodes;
     for (auto* of_nodes : {&carried, &forward}) of_nodes->resize(n + 1);
     unit.resize(n);
@@ -89,6 +90,18 @@ Thread& Thread::operator=(Thread&& other) noexcept {
 TickReport Thread::tick(const TickInput& input) { return thread::tick(impl_->state, input); }
 
 bool Thread::fit_links(std::span<int> held) { return thread::fit_links(impl_->state, held); }
+bool Thread::cut(int link, double share, std::span<int> held) { return thread::cut(impl_->state, static_cast<std::size_t>(link), share, held); }
+int Thread::most_loaded() const { return thread::most_loaded(impl_->state); }
+
+std::vector<Piece> Thread::pieces() const {
+    std::vector<Piece> pieces{{0, impl_->state.links()}};
+    for (int k = 0; k < impl_->state.links(); ++k)
+        if (is_cut(k)) {
+            pieces.back().last = k;
+            pieces.push_back({k + 1, impl_->state.links()});
+        }
+    return pieces;
+}
 
 const ThreadDef& Thread::def() const { return impl_->state.def; }
 std::span<const Vec3> Thread::nodes() const { return impl_->state.nodes; }
@@ -153,6 +166,13 @@ std::uint64_t Thread::hash() const {
         for (int c = 0; c < 3; ++c) add(row.tangent_push[c]);
     }
     return hash;
+}
+
+bool Strength::gives_way(double pull, double tick_s, bool is_elastic) {
+    const double stands_s = is_elastic ? 0 : 0.1;
+    const bool gave_way = pulled_s > stands_s;
+    pulled_s = pull > force ? pulled_s + tick_s : 0;
+    return !gave_way && pulled_s > stands_s;
 }
 
 std::vector<Vec3> resample(std::span<const Vec3> path, int links) {

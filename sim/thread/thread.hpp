@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -77,7 +78,12 @@ struct SurfaceForce {
     int link;       ///< That presses.
 };
 
-/// The thread as it is now.
+/// What cuts leave whole: nodes `first` to `last`, at least two.
+struct Piece {
+    int first, last;
+};
+
+/// The thread as it is now, in one piece or, once it was cut, several.
 class Thread {
   public:
     /// Nodes at `nodes` [m], at least 2; rest lengths are the distances between them.
@@ -94,9 +100,20 @@ class Thread {
     /// they stay, and get their new numbers here. Returns whether any number changed. Allocates nothing; O(n).
     bool fit_links(std::span<int> held);
 
+    /// Between ticks: cuts the thread at `share` (0..1) of a link, or where it broke there. Its pieces follow each other among the
+    /// nodes, the link between them is a cut. Their round ends just touch, and nothing moves: the thread loses a thickness of its length
+    /// and, where what would be left of a link is shorter than the radius and a quarter of it, that as well. `held` as in fit_links; -1
+    /// where a node is no more. False, and nothing is cut, where either piece would have no link left. May allocate; O(n).
+    bool cut(int link, double share, std::span<int> held);
+    /// Of the links that can be cut in their middle, the one whose outermost fibres bear most: a bend of curvature k, beyond
+    /// what it keeps when unloaded, adds radius * k of what the link carries, so a knotted thread breaks where it enters the knot [Pieranski et al. 2001]. -1: none carries anything.
+    int most_loaded() const;
+
     const ThreadDef& def() const;
     std::span<const Vec3> nodes() const;             ///< n + 1 positions [m].
-    std::span<const double> rest_lengths() const;    ///< n [m]; change only in fit_links.
+    std::span<const double> rest_lengths() const;    ///< n [m], 0 of a cut; change only in fit_links and cut.
+    bool is_cut(int link) const { return rest_lengths()[static_cast<std::size_t>(link)] == 0; }
+    std::vector<Piece> pieces() const;               ///< In their order along the thread.
     std::span<const double> tension() const;         ///< n, estimate [N]: what a thread of this stiffness would carry.
     /// What it did to the surface as the last tick ended: pushes and friction of an elastic thread; by Follow-The-Leader, which has no
     /// forces, what the estimated tensions of the links that meet there pull.
@@ -109,6 +126,16 @@ class Thread {
   private:
     struct Impl;
     Impl* impl_;
+};
+
+/// What pull a thread bears. Newtons of an elastic one break it at once. By Follow-The-Leader a pull is an estimate from how far tools lag,
+/// as they do where jaws shut on a strand or a tracker loses a hand for a frame as well: it must stand for a tenth of a second. A thread that
+/// gave way does so again only after it bore what pulls: hands may draw its pieces on faster than they can recoil here.
+struct Strength {
+    double force = std::numeric_limits<double>::infinity();  ///< [N]
+    double pulled_s = 0;  ///< For how long harder than that.
+
+    bool gives_way(double pull, double tick_s, bool is_elastic);  ///< In this tick.
 };
 
 /// Resamples a path to `links` links of equal length; the last node is the path's end. Path of at least 2 points.

@@ -36,7 +36,7 @@ std::vector<Vec3> line(const Vec3& from, const Vec3& to) {
 
 Picture thread_picture(std::vector<Vec3> thread, double radius) {
     Picture picture;
-    picture.thread = std::move(thread);
+    picture.thread = {std::move(thread)};
     picture.thread_radius = radius;
     picture.width = 480;
     picture.height = 320;
@@ -128,7 +128,7 @@ TEST(Draw, ScaleChangesNothing) {
     const auto scaled = [](double scale) {
         const std::vector<Vec3> bow = {{-9e-3, 0, 0}, {-3e-3, 1e-3, 4e-3}, {4e-3, -2e-3, -3e-3}, {9e-3, 2e-3, 0}};
         Picture picture = thread_picture(bow, scale * 0.8e-3);
-        for (Vec3& p : picture.thread) p *= scale;
+        for (Vec3& p : picture.thread.front()) p *= scale;
         picture.camera.position *= scale;
         return render(canvas(), picture);
     };
@@ -163,7 +163,7 @@ TEST(Draw, WhatIsInFrontHidesWhatIsBehind) {
     const auto over_vessel = [](double towards_eye) {
         Picture picture = vessel_picture();
         const Vec3 off = towards_eye * picture.camera.position.normalized();
-        picture.thread = line(Vec3(-1e-3, 0, 0) + off, Vec3(1e-3, 0, 0) + off);
+        picture.thread = {line(Vec3(-1e-3, 0, 0) + off, Vec3(1e-3, 0, 0) + off)};
         const Vec3 middle = project(picture, off);
         return at(render(canvas(), picture), static_cast<int>(middle.x()), static_cast<int>(middle.y()));
     };
@@ -194,7 +194,7 @@ TEST(Draw, ToolsStandWhereTheirPartsAre) {
 // Reports are compared byte for byte; a picture that depends on the one before would make two of one session differ.
 TEST(Draw, TheSamePictureIsTheSameBytes) {
     Picture picture = vessel_picture();
-    picture.thread = line({-9e-3, 2e-3, 3e-3}, {9e-3, -2e-3, 3e-3});
+    picture.thread = {line({-9e-3, 2e-3, 3e-3}, {9e-3, -2e-3, 3e-3})};
     picture.tools = {{instruments::Kind::forceps, {}, 0.5}};
     const std::vector<unsigned char> first = encode_png(render(canvas(), picture));
     render(canvas(), thread_picture({Vec3::Zero()}, 3e-3));

@@ -105,6 +105,7 @@ struct TwoTools {
 // and whip the thread, and must be there within the time that a hand's speed of 0.1 m/s takes.
 TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
     TwoTools scene;
+    scene.def.thread.break_force = 2 * instruments::shape_of(instruments::Kind::needle_holder).grip_force;  // it must not part
     World world(scene.def, {}, scene.tools);
     auto& right = scene.tools[1];
     const auto tick = [&] { world.tick(scene.tools); };

@@ -72,7 +72,7 @@ TEST(PlasticSet, OutlivesHalvingAndJoiningLinks) {
     Rod rod = set_in_a_ring();
     const double set = set_of(rod);
     ASSERT_GT(set, 39 * 0.2);
-    for (std::size_t k = rod.rest_lengths().size(); k-- > 0;) rod.halve(k);
+    for (std::size_t k = rod.rest_lengths().size(); k-- > 0;) rod.split(k, 0.5);
     rod.resize();
     EXPECT_NEAR(set_of(rod), set, 1e-12 * set);  // rounding of a sum of 80
     for (std::size_t i = 3; i + 2 < rod.nodes().size(); ++i) rod.join_at(i);

@@ -1,13 +1,23 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 
 #include "instruments/tool.hpp"
 
+// What jaws close on. Private to scenarios/world.
 namespace scenarios::world {
 
 using sim::geometry::Vec3;
 
-/// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the hinge to the tip along z.
+inline Vec3 in_tool(const instruments::ToolInput& tool, const Vec3& world_point) {
+    return tool.pose.rotation.conjugate() * (world_point - tool.pose.position);
+}
+
+// Jaws count as shut below the first and as let go above the second, so a trembling hand does not chatter.
+constexpr double shut_below = 0.25, open_above = 0.40;
+
+// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the hinge
+// to the tip along z.
 struct JawRoom {
     instruments::Capsule plus, minus;
 
@@ -17,6 +27,14 @@ struct JawRoom {
         minus = parts[instruments::jaw_minus];
         if (plus.a.z() > plus.b.z()) std::swap(plus.a, plus.b);
         if (minus.a.z() > minus.b.z()) std::swap(minus.a, minus.b);
+    }
+    /// Where a strand from a to b meets the middle plane y = 0, 0..1 from a.
+    static double crossing(const Vec3& a, const Vec3& b) { return a.y() / (a.y() - b.y()); }
+    bool is_passed_by(const Vec3& a, const Vec3& b) const {
+        if ((a.y() < 0) == (b.y() < 0)) return false;
+        Vec3 p = a + crossing(a, b) * (b - a);
+        p.y() = 0;  // interpolation leaves a rounding error there
+        return holds(p, 0);
     }
     double axis_x(const instruments::Capsule& jaw, double z) const {
         const double t = std::clamp((z - jaw.a.z()) / (jaw.b.z() - jaw.a.z()), 0.0, 1.0);

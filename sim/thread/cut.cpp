@@ -1,0 +1,107 @@
+#include <optional>
+
+#include "sim/thread/state.hpp"
+
+// The thread cut in two. A stub ends half a contact's thickness from where it was cut, as a round end does that covers what the
+// cut left; so the two just touch, and as nothing moves nothing can be passed through.
+namespace sim::thread {
+
+namespace {
+
+/// A node, or one to be.
+struct Place {
+    std::size_t link;
+    double along;  ///< From its first node [m].
+};
+
+// Where the stub towards `direction` ends; no place where no link of it would be left.
+std::optional<Place> end_of_stub(const State& state, std::size_t link, double share, int direction) {
+    double room = (direction < 0 ? share : 1 - share) * state.rest[link], off = 0.5 * (1 + skin) * 2 * state.def.radius;
+    while (off >= room) {
+        if (direction < 0 ? state.is_first(link) : state.is_last(link + 1)) return {};
+        off -= room;
+        link += static_cast<std::size_t>(direction);
+        room = state.rest[link];
+    }
+    double left = room - off;
+    if (left < std::min(state.def.radius, 0.25 * state.rest[link])) {  // no link so short is any good
+        if (direction < 0 ? state.is_first(link) : state.is_last(link + 1)) return {};
+        left = 0;
+    }
+    return Place{link, direction < 0 ? left : state.rest[link] - left};
+}
+
+// The node there is, or is made, at a place.
+std::size_t node_at(State& state, const Place& place, std::span<int> held) {
+    if (place.along == 0) return place.link;
+    if (place.along < state.rest[place.link]) split(state, place.link, place.along / state.rest[place.link], held);
+    return place.link + 1;
+}
+
+template <class T>
+void erase(std::vector<T>& values, std::size_t first, std::size_t last) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last));
+}
+
+// Nodes between the two stubs are no more, nor what pressed on their links.
+void leave_out(State& state, std::size_t first, std::size_t second, std::span<int> held) {
+    const int from = static_cast<int>(first), to = static_cast<int>(second), fewer = to - from - 1;
+    for (int& node : held) node = node >= to ? node - fewer : node > from ? -1 : node;
+    for (std::vector<Vec3>* of_nodes : {&state.nodes, &state.drift}) erase(*of_nodes, first + 1, second);
+    for (std::vector<double>* of_nodes : {&state.following, &state.inverse_mass}) erase(*of_nodes, first + 1, second);
+    for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) {
+        (*of_links)[first] = 0;
+        erase(*of_links, first + 1, second);
+    }
+    if (!state.rod) return;
+    state.rod->leave_out(first, second);
+    const auto is_gone = [&](int link) { return link >= from && link < to; };
+    std::erase_if(state.pressed, [&](const Row& row) { return is_gone(row.link) || (row.against == Against::thread && is_gone(row.other)); });
+    for (Row& row : state.pressed) {
+        if (row.link >= to) row.link -= fewer;
+        if (row.against == Against::thread && row.other >= to) row.other -= fewer;
+    }
+}
+
+// By how much it is bent, from the shape that it keeps, at the end where that is more [1/m].
+double curvature(const State& state, std::size_t link) {
+    const auto at = [&](std::size_t node) {
+        if (state.is_end(node)) return 0.0;
+        const double natural = state.rod ? state.rod->natural_bends()[node] : 0;
+        return 2 * std::abs(turn_at(state, node) - natural) / (state.rest[node - 1] + state.rest[node]);
+    };
+    return std::max(at(link), at(link + 1));
+}
+
+}  // namespace
+
+int most_loaded(const State& state) {
+    int found = -1;
+    double most = 0;
+    for (std::size_t k = 0; k < state.rest.size(); ++k) {
+        if (state.is_cut(k) || state.tension[k] <= 0) continue;
+        const double load = state.tension[k] * (1 + state.def.radius * curvature(state, k));
+        if (load <= most || !end_of_stub(state, k, 0.5, -1) || !end_of_stub(state, k, 0.5, +1)) continue;
+        most = load;
+        found = static_cast<int>(k);
+    }
+    return found;
+}
+
+bool cut(State& state, std::size_t link, double share, std::span<int> held) {
+    if (state.is_cut(link)) return false;
+    const auto before = end_of_stub(state, link, share, -1), after = end_of_stub(state, link, share, +1);
+    if (!before || !after) return false;
+    state.nearest.resize(state.rest.size());
+    std::size_t second = node_at(state, *after, held);
+    const std::size_t nodes = state.nodes.size(), first = node_at(state, *before, held);
+    second += state.nodes.size() - nodes;
+    leave_out(state, first, second, held);
+    renew(state);
+    state.moved = 0;  // no link is joined before we have looked around again
+    state.unfinished.pace = -1;
+    for (Pace& pace : state.paces) pace = {.refused = std::move(pace.refused)};  // what was jammed may be free
+    return true;
+}
+
+}  // namespace sim::thread
