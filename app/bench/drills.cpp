@@ -113,7 +113,7 @@ void add_drills(Suite& suite, bool quick, const Progress& progress) {
             const double seconds = processor_time() - begin;
             if (!quick && !fine) fine = now;
             const std::string id = "drill-" + drill.id + "-" + way.id + "-", words = drill.file + "; " + way.words + ": ";
-            const std::string called = words + (now.knot.empty() ? "no knot" : now.knot) + ", as in the fine run";
+            const std::string called = words + (now.knot == "0_1" ? "no knot" : now.knot) + ", as in the fine run";
             if (fine) suite.rows.push_back(told(id + "same", called, now.knot == fine->knot, "count", seconds));
             for (std::size_t i = 0; i < now.measured.size(); ++i) {
                 const Figure& figure = now.measured[i];
