@@ -54,13 +54,13 @@ def lines(problem, of):
 
 
 def drills_of(rows):
-    """Of every drill and way to play it: its rows by figure."""
+    """Of every drill and way to play it: its rows by figure. None of a quick run, which has nothing fine to hold them against."""
     drills = {}
     for row in rows:
         if found := DRILL.match(row["id"]):
             drill, way, figure = found.groups()
             drills.setdefault(drill, {}).setdefault(way, {})[figure] = row
-    return drills
+    return {drill: ways for drill, ways in drills.items() if "same" in next(iter(ways.values()))}
 
 
 def drill_cell(row):
