@@ -11,6 +11,7 @@ import sys
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs/speed-vs-error.md"
 SETTING = re.compile(r"(.+)-(ftl|elastic|rod)-link(\d+)(?:-tick(\d+))?-(found|error|cost|links|sweeps)$")
+DRILL = re.compile(r"drill-(.+)-([^-]+)-(same|knot|loop|shorter|longer|tension|cost|p50|p99)$")
 WORDS = re.compile(r"(.+); .+, links \((.+)\) ([\d.]+)(?:, ticks of ([\d.]+) ms)?: ")
 
 
@@ -24,6 +25,8 @@ def settings_of(rows):
     """Of every problem, thread and tick: what was measured with links so long."""
     problems = {}
     for row in rows:
+        if DRILL.match(row["id"]):
+            continue
         problem, thread, _, _, figure = SETTING.match(row["id"]).groups()
         what, counts, link, tick = WORDS.match(row["what"]).groups()
         of = problems.setdefault(problem, {"what": what, "counts": counts, "by": {}})
@@ -50,6 +53,36 @@ def lines(problem, of):
     yield ""
 
 
+def drills_of(rows):
+    """Of every drill and way to play it: its rows by figure. None of a quick run, which has nothing fine to hold them against."""
+    drills = {}
+    for row in rows:
+        if found := DRILL.match(row["id"]):
+            drill, way, figure = found.groups()
+            drills.setdefault(drill, {}).setdefault(way, {})[figure] = row
+    return {drill: ways for drill, ways in drills.items() if "same" in next(iter(ways.values()))}
+
+
+def drill_cell(row):
+    off = "" if row["error"] is None or row["id"].split("-")[-2] == "fine" else f" ({short(row['error'])})"
+    return f"{row['value']:.3g}{off}"
+
+
+def drill_lines(ways):
+    drill = next(iter(ways.values()))["same"]["what"].split("; ")[0]
+    yield f"**`{drill}`.**"
+    yield ""
+    yield "| played with | knot | in the knot [mm] | loop [mm] | tails [mm] | largest tension [N] | cost [ms] | tick, median and p99 [us] |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for of in ways.values():
+        way, knot = of["same"]["what"].split("; ", 1)[1].removesuffix(", as in the fine run").split(": ", 1)
+        knot = knot if of["same"]["value"] else f"**{knot}**"
+        cells = [drill_cell(of[figure]) for figure in ("knot", "loop", "shorter", "longer", "tension")]
+        ticks = f"{of['p50']['value']:.0f}, {of['p99']['value']:.0f}"
+        yield f"| {way} | {knot} | {cells[0]} | {cells[1]} | {cells[2]}, {cells[3]} | {cells[4]} | {short(of['cost']['value'])} | {ticks} |"
+    yield ""
+
+
 def fill(page, name, made):
     marks = re.compile(rf"(<!-- {name} -->\n).*?(<!-- end -->)", re.S)
     return marks.sub(lambda found: found[1] + "\n".join(made) + "\n" + found[2], page)
@@ -61,6 +94,7 @@ def main():
     page = PAGE.read_text()
     page = fill(page, "machine", [f"{answer['machine']}; {answer['build']}."])
     page = fill(page, "problems", [line for problem, of in problems.items() for line in lines(problem, of)][:-1])
+    page = fill(page, "drills", [line for ways in drills_of(answer["rows"]).values() for line in drill_lines(ways)][:-1])
     PAGE.write_text(page)
 
 

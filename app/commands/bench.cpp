@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "app/bench/accuracy.hpp"
+#include "app/bench/drills.hpp"
 #include "app/bench/naming.hpp"
 #include "app/bench/print.hpp"
 #include "app/bench/speed.hpp"
@@ -30,9 +31,15 @@ bench::Suite naming(bool quick, const bench::Progress& progress) {
     return bench::naming_suite(CARREL_CURVES, quick, progress);
 }
 
+bench::Suite speed_vs_error(bool quick, const bench::Progress& progress) {
+    bench::Suite suite = bench::speed_vs_error_suite(quick, progress);
+    bench::add_drills(suite, quick, progress);
+    return suite;
+}
+
 constexpr Known suites[] = {
     {"speed", bench::speed_suite},
-    {"speed-vs-error", bench::speed_vs_error_suite},
+    {"speed-vs-error", speed_vs_error},
     {"accuracy", bench::accuracy_suite},
     {"tissue", bench::tissue_suite},
     {"stability", stability},
