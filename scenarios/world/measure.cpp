@@ -59,7 +59,7 @@ void World::measure(const sim::thread::TickReport& report) {
     measures_.duration_s = t;
     const auto tension = thread_.tension();
     tension_now_ = *std::max_element(tension.begin(), tension.end());
-    if (!is_elastic()) tension_now_ = std::min(tension_now_, weakest_grip());
+    if (!is_elastic() && needle_.holder.tool < 0) tension_now_ = std::min(tension_now_, weakest_grip());
     raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];

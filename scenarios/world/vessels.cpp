@@ -20,19 +20,31 @@ static const char* name_of(tissue::BiteEvent::Kind kind) {
     return "";
 }
 
-// What the thread does to a vessel between two of its steps counts for as long as it did it. A pull falls off as what pulls gives way: a
-// taut strand's by its stiffness. Of `ftl`, whose tension is an estimate, no more than the thread, and jaws that hold it, bear.
-void World::load_vessels() {
+// Of a wall with what presses on it [N/m]: twenty times as stiff as a vessel is under a millimetre's pull, so that the wall goes no farther ahead
+// of what it is shown to the thread as than a twentieth of its way.
+constexpr double contact_stiffness = 1000;
+
+// By `ftl` a tension is an estimate: no more than the thread, and the jaws that hold it, bear.
+double World::believed_share() const {
+    if (is_elastic()) return 1;
     const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()), grip = weakest_grip();
     const double most = grip > 0 ? std::min(grip, def_.thread.break_force) : def_.thread.break_force;
-    const double held = is_elastic() || tension <= most ? 1 : most / tension;
-    const double share = 1.0 / static_cast<double>(period(vessels_.size())), stiffness = thread_.def().axial_stiffness / def_.thread.length;
+    return tension <= most ? 1 : most / tension;
+}
+
+// What the thread does to a vessel between two of its steps counts for as long as it did it. It presses on the wall that it is shown: by as much
+// as the tissue has gone on from there already it presses less.
+void World::load_vessels() {
+    const double share = 1.0 / static_cast<double>(period(vessels_.size())), believed = believed_share();
     for (const sim::thread::SurfaceForce& pressed : thread_.surface_forces())
         for (SoftVessel& vessel : vessels_) {
             const int triangle = pressed.triangle - vessel.first;
-            if (triangle < 0 || triangle >= vessel.skin.size()) continue;
-            const Vec3 weights = tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at);
-            vessel.forces.push_back({vessel.skin.point(triangle, weights), share * held * pressed.force, share * stiffness});
+            if (triangle < 0 || triangle >= vessel.skin.size() || pressed.force.isZero(0)) continue;
+            const tissue::MaterialPoint at = vessel.skin.point(triangle, tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at));
+            const double size = believed * pressed.force.norm();
+            const Vec3 way = pressed.force.normalized();
+            const double left = std::max(0.0, size - contact_stiffness * std::max(0.0, way.dot(vessel.tissue.position(at) - pressed.at)));
+            vessel.forces.push_back({at, share * left * way, share * contact_stiffness});
         }
 }
 

@@ -123,6 +123,7 @@ class World {
     sim::thread::TickReport move_thread();
     void let_tools_wait();
     void let_grasps_slip();
+    double believed_share() const;
     void load_vessels();
     void move_vessels();
     void move(SoftVessel& vessel, double seconds);
