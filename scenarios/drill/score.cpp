@@ -182,6 +182,37 @@ void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
     if (measures.off_tissue_mm >= 0) show("off_tissue", "Knot off the vessel", measures.off_tissue_mm);
 }
 
+// A bite goes between outside and lumen of one wall; the rest is shown.
+void score_bites(const world::Measures& measures, std::vector<ScoreItem>& items) {
+    for (std::size_t i = 0; i < measures.bites.size(); ++i) {
+        const world::BiteMeasure& bite = measures.bites[i];
+        const std::string number = std::to_string(i + 1), of = ", " + bite.vessel;
+        ScoreItem item{"bite_" + number, "Bite " + number + of, bite.from + " to " + (bite.to.empty() ? "nowhere" : bite.to), "", "between outer and inner", true, measures.duration_s, ""};
+        if (bite.to.empty()) item.why = "The needle went into the wall and not through it. Follow its curve until the tip is out.";
+        else if (bite.partial) item.why = "The stitch does not go through the whole wall: it holds less, and leaves an edge in the lumen.";
+        else if (bite.both_walls) item.why = "The needle took the wall across as well, which shuts the lumen. Keep its tip in sight.";
+        else if (bite.torn) item.why = "The stitch was torn out to the cut. Pull in the direction of the stitch, and less.";
+        item.passed = item.why.empty();
+        items.push_back(item);
+        items.push_back(judged({"bite_size_" + number, "Bite " + number + of + ", from the cut", "mm", bite.size_mm, 2, measures.duration_s, "", ""}, {}));
+        items.push_back(judged({"bite_angle_" + number, "Bite " + number + of + ", needle to wall", "degrees", bite.to_wall_deg, 0, measures.duration_s, "", ""}, {}));
+    }
+}
+
+// Shown, not judged: a drill of one bite leaves ends that gape.
+void score_join(const world::Measures& measures, std::vector<ScoreItem>& items) {
+    const world::JoinMeasure& join = measures.join;
+    if (join.lapses.empty()) return;
+    const auto show = [&](const std::string& name, const std::string& title, const char* unit, double value) {
+        items.push_back(judged({name, title, unit, value, 2, measures.duration_s, "", ""}, {}));
+    };
+    show("gap", "Widest gap of the suture line", "mm", join.gap_mm);
+    show("lumen", "Lumen, over what it was", "", join.lumen_ratio);
+    show("leak", "Leak at 100 mmHg", "mL/min", join.leak_ml_min);
+    for (const world::LapseMeasure& lapse : join.lapses)
+        items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, measures.duration_s, ""});
+}
+
 void score_tools(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     const auto& tools = drill.world.instruments;
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -228,6 +259,8 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
         score_around(goal, measures, items);
     }
     score_lie(measures, items);
+    score_bites(measures, items);
+    score_join(measures, items);
     items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
                             "The drill took longer than allowed.", "The drill was ended before a tie can be done."},
                            drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));

@@ -13,6 +13,28 @@ struct Moment {
     double at_s = 0;
 };
 
+/// One way of the needle through a wall.
+struct BiteMeasure {
+    std::string vessel, from, to;              ///< Sides: "outer", "inner", "cut", "far end"; `to` empty: it did not come through.
+    double size_mm = 0;                        ///< From its end on the outer side to the cut, at rest; 0: none is there.
+    double depth_mm = 0, to_wall_deg = 0;      ///< Of the wire, at the deepest; between needle and wall where it was first touched.
+    bool partial = false, both_walls = false, torn = false;
+};
+
+/// One of the ten lapses (tissue/lapse.hpp).
+struct LapseMeasure {
+    std::string name, measure;
+    double value = 0, limit = 0;
+    bool committed = false;
+};
+
+/// Of two vessels whose ends were sewn (tissue/join.hpp).
+struct JoinMeasure {
+    double gap_mm = 0;                         ///< Widest along the suture line.
+    double lumen_ratio = 1, leak_ml_min = 0;   ///< At 100 mmHg.
+    std::vector<LapseMeasure> lapses;          ///< Empty: nothing was sewn.
+};
+
 /// What has been measured of the session so far. One entry per instrument where it says so.
 struct Measures {
     sim::knot::Name knot;                      ///< Now, of the thread alone; a hitch, of the thread round a vessel.
@@ -24,6 +46,8 @@ struct Measures {
     double knot_mm = 0;                        ///< Thread in those strands: the less, the tighter.
     double off_tissue_mm = -1;                 ///< From the knot to the tube it goes round; -1 where it goes round none.
     std::vector<std::string> around;           ///< Vessels that the knot's loop goes round.
+    std::vector<BiteMeasure> bites;            ///< At the end, vessel by vessel.
+    JoinMeasure join;
     double duration_s = 0;
     std::vector<double> path_mm;               ///< Per instrument, commanded path of the tip.
     std::vector<int> grasps;                   ///< Per instrument.

@@ -17,23 +17,15 @@ std::array<double, 4> weights_in(const tissue::Tetrahedron& tet, std::span<const
     return weights;
 }
 
-// Those near the box of the jaws.
-std::vector<int> tetrahedra_near(const tissue::Tissue& wall, const sim::geometry::Box& jaws) {
-    std::vector<int> near;
+// Those that the jaws' middle plane goes through, between hinge and tip.
+std::vector<int> tetrahedra_between(const tissue::Tissue& wall, const Tool& tool) {
+    std::vector<int> between;
     for (std::size_t t = 0; t < wall.rest().tetrahedra.size(); ++t) {
         sim::geometry::Box box;
-        for (const int node : wall.rest().tetrahedra[t]) box.include(wall.nodes()[static_cast<std::size_t>(node)]);
-        if (box.overlaps(jaws)) near.push_back(static_cast<int>(t));
+        for (const int node : wall.rest().tetrahedra[t]) box.include(in_tool(tool.before, wall.nodes()[static_cast<std::size_t>(node)]));
+        if (box.low.y() <= 0 && box.high.y() >= 0 && box.low.z() <= 0 && box.high.z() >= -tool.shape.jaw_length) between.push_back(static_cast<int>(t));
     }
-    return near;
-}
-
-sim::geometry::Box box_of(const Tool& tool) {
-    sim::geometry::Box box;
-    const auto parts = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw);
-    for (const int jaw : {instruments::jaw_plus, instruments::jaw_minus})
-        for (const Vec3* end : {&parts[static_cast<std::size_t>(jaw)].a, &parts[static_cast<std::size_t>(jaw)].b}) box.include(*end);
-    return box.grown(tool.shape.jaw_radius);
+    return between;
 }
 
 // The one of them round `p`; -1 where `p` is in none.
@@ -54,7 +46,7 @@ void World::take_wall(Tool& tool, const JawRoom& room) {
     for (std::size_t v = 0; v < vessels_.size(); ++v) {
         const std::size_t had = tool.walls.size();
         const tissue::Tissue& wall = vessels_[v].tissue;
-        const std::vector<int> near = tetrahedra_near(wall, box_of(tool));
+        const std::vector<int> near = tetrahedra_between(wall, tool);
         for (double z = -0.5 * look; z > -tool.shape.jaw_length && tool.walls.size() < tool.walls.capacity(); z -= look) {
             const double low = room.axis_x(room.minus, z), high = room.axis_x(room.plus, z);
             const int looks = std::max(1, static_cast<int>((high - low) / look));

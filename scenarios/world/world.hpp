@@ -114,6 +114,8 @@ class World {
     void name_knot_now();
     /// Where that knot is and how it lies: tails, loop, the vessels it goes round, how far from them. Names many pieces of the thread: for the end of a session.
     void locate_knot();
+    /// Bites, and the join of two cut ends: for the end of a session too.
+    void judge_sewing();
 
   private:
     void move_instruments(std::span<const ToolInput> inputs);

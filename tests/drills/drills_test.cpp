@@ -147,4 +147,18 @@ TEST(Drills, AnElasticSquareIsTiedNamedAndReplayed) {
     expect_replays("assisted-square-knot");
 }
 
+// A needle through both ends of a cut vessel, 25 mm of thread after it.
+TEST(Drills, ASingleBiteIsTakenAndReplayed) {
+    const Played played = play("single-bite");
+    EXPECT_EQ(played.exit, 0);
+    EXPECT_EQ(played.result["passed"], true);
+    expect_sound(played.result);
+    EXPECT_EQ(played.result["state_hash"], "8661daec39fdafb8");
+    std::map<std::string, int> count;
+    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    for (const char* kind : {"pierced", "through", "drawn", "needle_grasp"}) EXPECT_EQ(count[kind], 2) << kind;
+    EXPECT_EQ(count["torn"] + count["withdrawn"] + count["back_in"], 0);
+    expect_replays("single-bite");
+}
+
 }  // namespace

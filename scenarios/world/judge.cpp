@@ -1,0 +1,60 @@
+#include "scenarios/world/world.hpp"
+#include "tissue/join.hpp"
+#include "tissue/lapse.hpp"
+#include "tissue/leak.hpp"
+#include "tissue/rim.hpp"
+
+// What was sewn, once a session is over.
+namespace scenarios::world {
+
+static const char* name_of(tissue::Side side) {
+    switch (side) {
+        case tissue::Side::outer: return "outer";
+        case tissue::Side::inner: return "inner";
+        case tissue::Side::cut: return "cut";
+        case tissue::Side::far_end: return "far end";
+    }
+    return "";
+}
+
+// Of the ends on the outer side the farther from the cut.
+static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest) {
+    double size = 0;
+    for (const tissue::BiteEnd* end : {&bite.entry, &bite.exit})
+        for (const tissue::Rim& rim : tissue::rims(rest, tissue::Side::outer))
+            if (end->hole >= 0 && end->side == tissue::Side::outer)
+                size = std::max(size, tissue::nearest(rim, rest, tissue::position(end->at, rest, rest.nodes)).distance);
+    return size;
+}
+
+static BiteMeasure measured(const tissue::Bite& bite, const SoftVessel& vessel) {
+    constexpr double degrees = 180 / 3.14159265358979324;
+    const bool through = bite.state == tissue::BiteState::open;
+    return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest()),
+            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn};
+}
+
+static bool is_cut(const SoftVessel& vessel) {
+    return !tissue::rims(vessel.tissue.rest(), tissue::Side::outer).empty() && !tissue::rims(vessel.tissue.rest(), tissue::Side::inner).empty();
+}
+
+void World::judge_sewing() {
+    measures_.bites.clear();
+    measures_.join = {};
+    bool sewn = vessels_.size() == 2;
+    for (const SoftVessel& vessel : vessels_) {
+        for (const tissue::Bite& bite : vessel.bites.bites()) measures_.bites.push_back(measured(bite, vessel));
+        sewn = sewn && is_cut(vessel) && !vessel.bites.bites().empty();
+    }
+    if (!sewn) return;
+    const auto of = [&](const SoftVessel& vessel) { return tissue::SewnVessel{vessel.tissue.rest(), vessel.skin, vessel.bites.bites(), vessel.bites.def().axis}; };
+    const tissue::Join join = tissue::judge(of(vessels_[0]), of(vessels_[1]), curves(), def_.thread.diameter);
+    for (const tissue::LinePiece& piece : join.line) measures_.join.gap_mm = std::max(measures_.join.gap_mm, 1e3 * piece.gap);
+    measures_.join.lumen_ratio = join.lumen_ratio;
+    measures_.join.leak_ml_min = tissue::in_ml_per_min(join.leak());
+    tissue::LapseLimits limits;
+    limits.hole_diameters = 4 * def_.needle.wire / def_.thread.diameter;  // twice as long as the needle made it
+    for (const tissue::Lapse& lapse : tissue::lapses(join, limits)) measures_.join.lapses.push_back({lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.committed});
+}
+
+}  // namespace scenarios::world

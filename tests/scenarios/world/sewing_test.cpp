@@ -1,0 +1,108 @@
+// Two cut ends that give way, a needle through both, a thread through their four skins.
+#include <gtest/gtest.h>
+
+#include "scenarios/world/world.hpp"
+
+namespace {
+
+using instruments::ToolInput;
+using scenarios::world::World;
+using sim::geometry::Arc;
+using sim::geometry::Quat;
+using sim::geometry::Vec3;
+
+constexpr double mm = 1e-3, tick = 1e-3;
+
+// The needle's circle stands upright over the gap, so that driven round it the needle meets both ends; its holder is turned about the circle's
+// axis, as a wrist turns. Walls so soft to puncture that nobody need back them.
+struct Scene {
+    scenarios::world::WorldDef def;
+    ToolInput holder;
+    Vec3 centre = {0, 0, 4.79 * mm};
+
+    explicit Scene(const char* model) {
+        def.instruments = {{"right", instruments::Kind::needle_holder}};
+        def.needle_code = "BV-1";
+        def.needle = {.centre = centre, .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
+        const auto tail = sim::geometry::portable_sin_cos(-3.4034);  // 195 degrees before the lowest point
+        def.needle.to_tail = {tail.sin, 0, -tail.cos};
+        def.needle.onwards = {tail.cos, 0, tail.sin};
+        for (const double side : {-1.0, 1.0}) {
+            scenarios::world::VesselDef end;
+            end.name = side < 0 ? "left" : "right";
+            end.wall = 0.5 * mm;
+            end.length = 4 * mm;
+            end.centre = {3.5 * side * mm, 0, 0};
+            end.start_held = side < 0;
+            end.end_held = side > 0;
+            end.is_soft = true;
+            end.young_modulus = 0.3e6;
+            end.puncture_force = 0.008;
+            def.vessels.push_back(end);
+        }
+        def.thread.model = model;
+        def.thread.length = 40 * mm;
+        def.thread.links = 130;
+        def.thread.shortest_link = def.thread.diameter;
+        const Vec3 behind = def.needle.tail() - 0.7 * mm * def.needle.tangent(0);
+        def.thread.start = {def.needle.tail(), behind, behind + Vec3(-1 * mm, 3 * mm, 0), behind + Vec3(-40 * mm, 4 * mm, 0)};
+        const Vec3 at = def.needle.at(1 * mm), along = def.needle.tangent(1 * mm);
+        Eigen::Matrix3d axes;
+        axes << along.cross(Vec3::UnitY()), along, Vec3::UnitY();
+        holder.pose = {at + 1.5 * mm * Vec3::UnitY(), Quat(axes).normalized()};
+        holder.jaw = 0;
+    }
+
+    void turn(double angle) {
+        const auto half = sim::geometry::portable_sin_cos(-angle / 2);
+        const Quat by(half.cos, 0, half.sin, 0);
+        holder.pose = {centre + by * (holder.pose.position - centre), (by * holder.pose.rotation).normalized()};
+    }
+};
+
+class Sewing : public testing::TestWithParam<const char*> {};
+
+TEST_P(Sewing, ThreadFollowsTheNeedleThroughFourSkins) {
+    Scene scene(GetParam());
+    World world(scene.def, {}, {&scene.holder, 1});
+    const auto length = [&] {
+        double sum = 0;
+        for (std::size_t k = 0; k + 1 < world.thread().size(); ++k) sum += (world.thread()[k + 1] - world.thread()[k]).norm();
+        return sum;
+    };
+    const double at_first = length();
+    const auto tick_once = [&] { world.tick({&scene.holder, 1}); };
+    for (int t = 0; t < 5; ++t) tick_once();
+    for (int t = 0; t < 5200; ++t) {  // 260 degrees at 50 a second: the tip moves at 3.4 mm/s
+        scene.turn(50.0 / 180 * 3.14159265358979 * tick);
+        tick_once();
+    }
+    const Vec3 away = Vec3(-0.5, 0, 1).normalized();
+    for (int t = 0; t < 1500; ++t) {
+        scene.holder.pose.position += 8 * mm * tick * away;
+        tick_once();
+    }
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+    for (const auto& vessel : world.vessels()) {
+        SCOPED_TRACE(vessel.name);
+        ASSERT_EQ(vessel.bites.bites().size(), 1u);
+        const tissue::Bite& bite = vessel.bites.bites()[0];
+        EXPECT_EQ(bite.state, tissue::BiteState::open);
+        EXPECT_FALSE(bite.partial() || bite.both_walls || bite.torn || bite.on_needle);
+        for (const tissue::BiteEnd* end : {&bite.entry, &bite.exit}) {  // thread is in each hole
+            double nearest = 1e300;
+            for (const Vec3& node : world.thread()) nearest = std::min(nearest, (node - vessel.skin.centre(end->hole)).norm());
+            EXPECT_LT(nearest, 0.25 * mm);  // half a link and a hole
+        }
+        double farthest = 0;  // the walls are where they were, but for what little the thread still draws
+        for (std::size_t n = 0; n < vessel.tissue.nodes().size(); ++n)
+            farthest = std::max(farthest, (vessel.tissue.nodes()[n] - vessel.tissue.rest().nodes[n]).norm());
+        EXPECT_LT(farthest, 1 * mm);
+    }
+    EXPECT_NEAR(length(), at_first, 1e-3 * at_first);
+    EXPECT_GT((world.thread()[0] - world.vessels()[1].skin.centre(0)).norm(), 8 * mm) << "the needle is on its way";
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Sewing, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
