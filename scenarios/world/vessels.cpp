@@ -48,9 +48,30 @@ void World::load_vessels() {
         }
 }
 
+// Tools push walls out of themselves, but jaws not what is between them.
+void World::push_walls(int vessel) {
+    SoftVessel& of = vessels_[static_cast<std::size_t>(vessel)];
+    for (const Tool& tool : tools_) {
+        const bool holds = std::any_of(tool.walls.begin(), tool.walls.end(), [&](const WallGrip& grip) { return grip.vessel == vessel; });
+        const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw), to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
+        for (std::size_t part = 0; part < to.size(); ++part)
+            if (!holds || part == instruments::shaft) tool_contact_.press(of.skin, to[part], from[part], of.forces);
+    }
+}
+
+// Once in all vessels' turns: each feels it in its own.
+void World::press_walls_together() {
+    for (std::size_t a = 0; a < vessels_.size(); ++a) {
+        wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces);
+        for (std::size_t b = a + 1; b < vessels_.size(); ++b)
+            wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces, vessels_[b].tissue.rest(), vessels_[b].skin, vessels_[b].forces);
+    }
+}
+
 void World::move_vessels() {
     if (vessels_.empty()) return;
     load_vessels();
+    if (ticks_ % period(vessels_.size()) == 0) press_walls_together();
     const std::uint64_t turns = period(vessels_.size()), turn = ticks_ % turns;
     if (turn < vessels_.size()) move(vessels_[turn], static_cast<double>(turns) * def_.tick_s);
     show_vessels();
@@ -60,6 +81,7 @@ void World::move(SoftVessel& vessel, double seconds) {
     const int holes = vessel.skin.holes();
     pull_walls(static_cast<int>(&vessel - vessels_.data()));
     const Arc with_swage = needle_.now.longer(thread_.rest_lengths().front());  // the link that it leads as stiffly as itself
+    push_walls(static_cast<int>(&vessel - vessels_.data()));
     vessel.bites.press(has_needle() ? &with_swage : nullptr, vessel.skin);
     vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
     vessel.tissue.step({.holds = vessel.clamps, .forces = vessel.forces}, seconds);

@@ -43,8 +43,14 @@ static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {
     return vessels;
 }
 
+static double thinnest_wall(const WorldDef& def) {
+    double thinnest = 1e300;
+    for (const VesselDef& vessel : def.vessels) thinnest = std::min(thinnest, vessel.wall);
+    return thinnest;
+}
+
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
-    : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
+    : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_contact_({}, thinnest_wall(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
       targets_(wall_.tree().triangles()), strength_{def.thread.break_force} {
     if (!surface.empty()) bench_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "scenarios/world/moving_wall.hpp"
 #include "scenarios/world/soft_vessel.hpp"
 #include "sim/thread/thread.hpp"
+#include "tissue/contact.hpp"
 
 namespace scenarios::world {
 
@@ -126,6 +127,8 @@ class World {
     void let_tools_wait();
     void let_grasps_slip();
     double believed_share() const;
+    void push_walls(int vessel);
+    void press_walls_together();
     void load_vessels();
     void move_vessels();
     void move(SoftVessel& vessel, double seconds);
@@ -167,6 +170,8 @@ class World {
     WorldDef def_;
     sim::thread::Thread thread_;
     std::vector<SoftVessel> vessels_;
+    tissue::CapsuleContact tool_contact_{{}};
+    tissue::WallContact wall_contact_;
     MovingWall wall_;                              // of all vessels, the rigid ones first
     std::vector<Triangle> targets_;                // where it should be
     std::vector<double> rooms_;                    // scratch

@@ -14,14 +14,14 @@ using sim::geometry::Vec3;
 constexpr double mm = 1e-3, tick = 1e-3;
 
 // The needle's circle stands upright over the gap, so that driven round it the needle meets both ends; its holder is turned about the circle's
-// axis, as a wrist turns. Walls so soft to puncture that nobody need back them.
+// axis, as a wrist turns. A second one waits aside. Walls so soft to puncture that nobody need back them.
 struct Scene {
     scenarios::world::WorldDef def;
-    ToolInput holder;
+    std::array<ToolInput, 2> tools;
     Vec3 centre = {0, 0, 4.79 * mm};
 
     explicit Scene(const char* model) {
-        def.instruments = {{"right", instruments::Kind::needle_holder}};
+        def.instruments = {{"right", instruments::Kind::needle_holder}, {"left", instruments::Kind::forceps}};
         def.needle_code = "BV-1";
         def.needle = {.centre = centre, .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
         const auto tail = sim::geometry::portable_sin_cos(-3.4034);  // 195 degrees before the lowest point
@@ -46,17 +46,22 @@ struct Scene {
         def.thread.shortest_link = def.thread.diameter;
         const Vec3 behind = def.needle.tail() - 0.7 * mm * def.needle.tangent(0);
         def.thread.start = {def.needle.tail(), behind, behind + Vec3(-1 * mm, 3 * mm, 0), behind + Vec3(-40 * mm, 4 * mm, 0)};
-        const Vec3 at = def.needle.at(1 * mm), along = def.needle.tangent(1 * mm);
-        Eigen::Matrix3d axes;
-        axes << along.cross(Vec3::UnitY()), along, Vec3::UnitY();
-        holder.pose = {at + 1.5 * mm * Vec3::UnitY(), Quat(axes).normalized()};
-        holder.jaw = 0;
+        tools[0] = {across(def.needle, 1 * mm, 1), 0};
+        tools[1] = {{{0, 40 * mm, 40 * mm}, Quat::Identity()}, 0.6};
     }
 
-    void turn(double angle) {
-        const auto half = sim::geometry::portable_sin_cos(-angle / 2);
+    // Jaws whose middle plane the wire crosses, 1.5 mm behind their tips; the tool points along y or against it.
+    static instruments::Pose across(const Arc& needle, double along, double way) {
+        Eigen::Matrix3d axes;
+        axes.col(1) = needle.tangent(along), axes.col(2) = way * Vec3::UnitY();
+        axes.col(0) = axes.col(1).cross(axes.col(2));
+        return {needle.at(along) + 1.5 * mm * axes.col(2), Quat(axes).normalized()};
+    }
+
+    void turn(ToolInput& tool, double degrees) {
+        const auto half = sim::geometry::portable_sin_cos(-degrees / 360 * 3.14159265358979);
         const Quat by(half.cos, 0, half.sin, 0);
-        holder.pose = {centre + by * (holder.pose.position - centre), (by * holder.pose.rotation).normalized()};
+        tool.pose = {centre + by * (tool.pose.position - centre), (by * tool.pose.rotation).normalized()};
     }
 };
 
@@ -64,24 +69,32 @@ class Sewing : public testing::TestWithParam<const char*> {};
 
 TEST_P(Sewing, ThreadFollowsTheNeedleThroughFourSkins) {
     Scene scene(GetParam());
-    World world(scene.def, {}, {&scene.holder, 1});
+    World world(scene.def, {}, scene.tools);
     const auto length = [&] {
         double sum = 0;
         for (std::size_t k = 0; k + 1 < world.thread().size(); ++k) sum += (world.thread()[k + 1] - world.thread()[k]).norm();
         return sum;
     };
     const double at_first = length();
-    const auto tick_once = [&] { world.tick({&scene.holder, 1}); };
-    for (int t = 0; t < 5; ++t) tick_once();
-    for (int t = 0; t < 5200; ++t) {  // 260 degrees at 50 a second: the tip moves at 3.4 mm/s
-        scene.turn(50.0 / 180 * 3.14159265358979 * tick);
-        tick_once();
-    }
-    const Vec3 away = Vec3(-0.5, 0, 1).normalized();
-    for (int t = 0; t < 1500; ++t) {
-        scene.holder.pose.position += 8 * mm * tick * away;
-        tick_once();
-    }
+    auto& [right, left] = scene.tools;
+    const auto go = [&](int ticks, const auto& move) {
+        for (int t = 0; t < ticks; ++t) move(), world.tick(scene.tools);
+    };
+    go(5, [] {});
+    go(1300, [&] { scene.turn(right, 0.1); });  // 100 degrees a second: the tip moves at 7 mm/s
+    left.pose = Scene::across(world.needle(), world.needle().length() - 0.6 * mm, -1);
+    left.pose.position.y() += 15 * mm;
+    go(300, [] {});                              // a hand that leaps: the tool comes after it
+    go(750, [&] { left.pose.position.y() -= 0.02 * mm; });
+    go(200, [] {});
+    left.jaw = 0;
+    go(50, [] {});
+    right.jaw = 0.6;
+    go(50, [] {});
+    go(600, [&] { right.pose.position.y() -= 0.02 * mm; });
+    go(1300, [&] { scene.turn(left, 0.1); });
+    const Vec3 away = Vec3(0.5, 0, 1).normalized();
+    go(800, [&] { left.pose.position += 15 * mm * tick * away; });
     EXPECT_EQ(world.measures().pass_throughs, 0u);
     for (const auto& vessel : world.vessels()) {
         SCOPED_TRACE(vessel.name);
