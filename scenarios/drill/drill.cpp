@@ -179,6 +179,8 @@ class Reader {
     }
 
     void read_needle(const json& entry) {
+        if (!drill_.world.vessels.empty() && !drill_.world.vessels.front().is_soft)
+            document_.fail("/thread/needle", "a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels");
         const auto codes = needle_codes();
         const auto code = std::find_if(codes.begin(), codes.end(), [&](const auto& of) { return entry["code"] == of.name; });
         const world::Vec3 towards = direction(entry, "towards"), bulge = direction(entry, "bulge");

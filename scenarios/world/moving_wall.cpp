@@ -34,12 +34,15 @@ void MovingWall::number_corners() {
 
 void MovingWall::renew(std::vector<Triangle> triangles) {
     const std::vector<Vec3> were = targets_, shown = places_;
+    std::map<std::array<double, 3>, std::size_t> known;
+    for (std::size_t c = 0; c < were.size(); ++c) known[{were[c].x(), were[c].y(), were[c].z()}] = c;
     moved_ = std::move(triangles);
     number_corners();
     places_.clear();
     for (const Vec3& target : targets_) {
         const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - target).squaredNorm() < (b - target).squaredNorm(); };
-        const auto nearest = static_cast<std::size_t>(std::min_element(were.begin(), were.end(), nearer) - were.begin());
+        const auto same = known.find({target.x(), target.y(), target.z()});
+        const std::size_t nearest = same != known.end() ? same->second : static_cast<std::size_t>(std::min_element(were.begin(), were.end(), nearer) - were.begin());
         places_.push_back(target + (shown[nearest] - were[nearest]));
     }
     show();

@@ -18,7 +18,7 @@ class MovingWall {
     MovingWall(std::vector<Triangle> triangles, double radius);
 
     /// Other triangles in place of these, of which most corners are the same: those are where they were, new ones behind theirs as far as the
-    /// nearest. Quadratic.
+    /// nearest. Milliseconds.
     void renew(std::vector<Triangle> triangles);
 
     const sim::geometry::TriangleTree& tree() const { return tree_; }

@@ -68,6 +68,12 @@ std::string elastic(const std::string& effects, const std::string& more = "") {
     return text.replace(text.find("{\"gravity\": false}"), 18, effects);
 }
 
+// The drill with a needle in vessels that give way.
+std::string needle(const std::string& towards, const std::string& bulge) {
+    std::string text = with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": )" + towards + ", \"bulge\": " + bulge + "}");
+    return text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
+}
+
 // Off by the model's own default or by the author's word: each reaches the thread, and nothing else does.
 TEST(DrillLoader, ReadsEffectsOfAnElasticThread) {
     const auto thread = [](const std::string& effects) { return parse_drill(elastic(effects), "a", "").world.thread; };
@@ -134,10 +140,10 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:16:30: error: /effects/plastic_set: nothing is known of when silk yields, expected false, or \"yield_percent\" in the thread"},
         {with("\"gravity\": false", "\"tissue\": \"jelly\""),
          "a.json:16:25: error: /effects/tissue: expected \"rigid\" or \"elastic\", found \"jelly\""},
-        {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 0], "bulge": [0, 0, 1]})"),
-         "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
-        {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 0, -2]})"),
-         "a.json:7:85: error: /thread/needle/bulge: is along \"towards\", expected a direction across it"},
+        {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 1, 0]})"),
+         "a.json:7:15: error: /thread/needle: a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels"},
+        {needle("[0, 0, 0]", "[0, 0, 1]"), "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
+        {needle("[0, 0, 1]", "[0, 0, -2]"), "a.json:7:85: error: /thread/needle/bulge: is along \"towards\", expected a direction across it"},
         {with("\"friction\": 0.2", "\"model\": \"rubber\""),
          "a.json:7:14: error: /thread/model: expected \"ftl\" or \"elastic\", found \"rubber\""},
         {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),
