@@ -122,6 +122,7 @@ void add_drills(Suite& suite, bool quick, const Progress& progress) {
             }
             for (const Figure& figure : now.cost) suite.rows.push_back(told(id + figure.id, words + figure.what, figure.value, figure.unit, 0));
         }
+        if (quick) return;
     }
 }
 
