@@ -207,7 +207,7 @@ TEST(DrillLoader, PlacesSurviveUnusualText) {
 TEST(DrillLoader, CommittedDrillsLoad) {
     // granny-knot asks for a square and ties a granny, to show a drill that fails
     const std::pair<std::string, std::string> ties[] = {{"square-knot", "square"}, {"granny-knot", "square"}, {"surgeons-knot", "surgeons"},
-                                                        {"assisted-square-knot", "square"}, {"assisted-granny-knot", "granny"}};
+                                                        {"assisted-square-knot", "square"}, {"assisted-granny-knot", "granny"}, {"assisted-surgeons-knot", "surgeons"}};
     for (const auto& [name, tie] : ties) {
         SCOPED_TRACE(name);
         const Drill drill = load_drill(std::string(CARREL_SOURCE) + "/scenarios/drills/" + name + ".json");
