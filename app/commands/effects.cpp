@@ -144,16 +144,16 @@ Effect tissue(const Drill& drill) {
     if (wall == 0)
         return {"tissue",       false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate",
                 "costs nothing"};
-    const double strain = tissue_pull_N / (wall_modulus * wall * 1e-3);
+    const auto soft = std::find_if(drill.world.vessels.begin(), drill.world.vessels.end(), [](const auto& vessel) { return vessel.is_soft; });
+    const bool on = soft != drill.world.vessels.end();
+    const double strain = tissue_pull_N / ((on ? soft->young_modulus : wall_modulus) * wall * 1e-3);
     return {"tissue",
-            false,
+            on,
             "F / (E t w) at 0.1 N, 1 mm",
             strain,
-            text("a pull of 0.1 N should stretch the wall by about %.0f %%; the rigid vessel does not give way, so "
-                 "judge knots here, "
-                 "not tissue",
-                 100 * strain),
-            "would cost a solve of the vessel per tick"};
+            text("a pull of 0.1 N should stretch the wall by about %.0f %%; ", 100 * strain) +
+                (on ? "the wall gives way" : "the rigid vessel does not give way, so judge knots here, not tissue"),
+            on ? "0.3 ms, a step of one vessel a tick" : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
 Effect tear(const Rod& rod) {
