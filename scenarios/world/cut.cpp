@@ -64,7 +64,7 @@ void World::hold_pieces() {
     }
 }
 
-// Of a strand cut between the jaws both stubs are held to their ends, each as a strand of its own.
+// Of a strand cut between the jaws both stumps are held to their ends, each as a strand of its own.
 void World::hold_pieces(Tool& tool, std::span<const int> held) {
     std::vector<Grasp> pieces;
     const auto hold = [&](int node, const Vec3& anchor) {

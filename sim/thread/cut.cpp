@@ -2,7 +2,7 @@
 
 #include "sim/thread/state.hpp"
 
-// The thread cut in two. A stub ends half a contact's thickness from where it was cut, as a round end does that covers what the
+// The thread cut in two. A stump ends half a contact's thickness from where it was cut, as a round end does that covers what the
 // cut left; so the two just touch, and as nothing moves nothing can be passed through.
 namespace sim::thread {
 
@@ -14,8 +14,8 @@ struct Place {
     double along;  ///< From its first node [m].
 };
 
-// Where the stub towards `direction` ends; no place where no link of it would be left.
-std::optional<Place> end_of_stub(const State& state, std::size_t link, double share, int direction) {
+// Where the stump towards `direction` ends; no place where no link of it would be left.
+std::optional<Place> end_of_stump(const State& state, std::size_t link, double share, int direction) {
     double room = (direction < 0 ? share : 1 - share) * state.rest[link], off = 0.5 * (1 + skin) * 2 * state.def.radius;
     while (off >= room) {
         if (direction < 0 ? state.is_first(link) : state.is_last(link + 1)) return {};
@@ -43,7 +43,7 @@ void erase(std::vector<T>& values, std::size_t first, std::size_t last) {
     values.erase(values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last));
 }
 
-// Nodes between the two stubs are no more, nor what pressed on their links.
+// Nodes between the two stumps are no more, nor what pressed on their links.
 void leave_out(State& state, std::size_t first, std::size_t second, std::span<int> held) {
     const int from = static_cast<int>(first), to = static_cast<int>(second), fewer = to - from - 1;
     for (int& node : held) node = node >= to ? node - fewer : node > from ? -1 : node;
@@ -81,7 +81,7 @@ int most_loaded(const State& state) {
     for (std::size_t k = 0; k < state.rest.size(); ++k) {
         if (state.is_cut(k) || state.tension[k] <= 0) continue;
         const double load = state.tension[k] * (1 + state.def.radius * curvature(state, k));
-        if (load <= most || !end_of_stub(state, k, 0.5, -1) || !end_of_stub(state, k, 0.5, +1)) continue;
+        if (load <= most || !end_of_stump(state, k, 0.5, -1) || !end_of_stump(state, k, 0.5, +1)) continue;
         most = load;
         found = static_cast<int>(k);
     }
@@ -90,7 +90,7 @@ int most_loaded(const State& state) {
 
 bool cut(State& state, std::size_t link, double share, std::span<int> held) {
     if (state.is_cut(link)) return false;
-    const auto before = end_of_stub(state, link, share, -1), after = end_of_stub(state, link, share, +1);
+    const auto before = end_of_stump(state, link, share, -1), after = end_of_stump(state, link, share, +1);
     if (!before || !after) return false;
     state.nearest.resize(state.rest.size());
     std::size_t second = node_at(state, *after, held);

@@ -222,13 +222,13 @@ TEST(Bites, FollowFiveHundredRandomPaths) {
         if (paths % 4 == 2) {
             for (const auto& [a, b] : {std::pair(far, 0.3 * far), {0.3 * far, 1.2 * far}, {1.2 * far, begin}, {begin, far}, {far, begin - 1e-3}}) swing(scene, needle, a, b, log, quick);
         }
+        const auto is_a_hole = [&](int hole) { return hole >= 0 && hole < scene.skin.holes(); };
         for (const auto& [bite, events] : log) {
             EXPECT_TRUE(is_in_order(events)) << bite << ": " << events;
             const Bite& found = scene.bites.bites()[static_cast<std::size_t>(bite)];
-            EXPECT_GE(found.entry.hole, 0);
-            if (found.state == BiteState::open) {
-                EXPECT_GE(found.exit.hole, 0);
-            }
+            EXPECT_TRUE(is_a_hole(found.entry.hole)) << bite << ": " << found.entry.hole;
+            EXPECT_TRUE(found.state == BiteState::open ? is_a_hole(found.exit.hole) && found.exit.hole != found.entry.hole : found.exit.hole < 0)
+                << bite << ": " << events << ", " << found.entry.hole << " to " << found.exit.hole;
             withdrawn += events.back() == 'w', drawn += events.back() == 'd', torn += events.back() == 'x', through += events.find('t') != std::string::npos;
         }
         bites += static_cast<int>(log.size());
