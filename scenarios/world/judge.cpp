@@ -18,24 +18,20 @@ static const char* name_of(tissue::Side side) {
 }
 
 // Of the ends on the outer side the farther from the cut.
-static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest) {
+static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest, const std::vector<tissue::Rim>& outer_rims) {
     double size = 0;
-    for (const tissue::BiteEnd* end : {&bite.entry, &bite.exit})
-        for (const tissue::Rim& rim : tissue::rims(rest, tissue::Side::outer))
-            if (end->hole >= 0 && end->side == tissue::Side::outer)
-                size = std::max(size, tissue::nearest(rim, rest, tissue::position(end->at, rest, rest.nodes)).distance);
+    for (const tissue::BiteEnd* end : {&bite.entry, &bite.exit}) {
+        if (end->hole < 0 || end->side != tissue::Side::outer) continue;
+        for (const tissue::Rim& rim : outer_rims) size = std::max(size, tissue::nearest(rim, rest, tissue::position(end->at, rest, rest.nodes)).distance);
+    }
     return size;
 }
 
-static BiteMeasure measured(const tissue::Bite& bite, const SoftVessel& vessel) {
+static BiteMeasure measured(const tissue::Bite& bite, const SoftVessel& vessel, const std::vector<tissue::Rim>& outer_rims) {
     constexpr double degrees = 180 / 3.14159265358979324;
     const bool through = bite.state == tissue::BiteState::open;
-    return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest()),
+    return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest(), outer_rims),
             1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn};
-}
-
-static bool is_cut(const SoftVessel& vessel) {
-    return !tissue::rims(vessel.tissue.rest(), tissue::Side::outer).empty() && !tissue::rims(vessel.tissue.rest(), tissue::Side::inner).empty();
 }
 
 void World::judge_sewing() {
@@ -43,8 +39,9 @@ void World::judge_sewing() {
     measures_.join = {};
     bool sewn = vessels_.size() == 2;
     for (const SoftVessel& vessel : vessels_) {
-        for (const tissue::Bite& bite : vessel.bites.bites()) measures_.bites.push_back(measured(bite, vessel));
-        sewn = sewn && is_cut(vessel) && !vessel.bites.bites().empty();
+        const auto outer = tissue::rims(vessel.tissue.rest(), tissue::Side::outer);
+        for (const tissue::Bite& bite : vessel.bites.bites()) measures_.bites.push_back(measured(bite, vessel, outer));
+        sewn = sewn && !outer.empty() && !vessel.bites.bites().empty();
     }
     if (!sewn) return;
     const auto of = [&](const SoftVessel& vessel) { return tissue::SewnVessel{vessel.tissue.rest(), vessel.skin, vessel.bites.bites(), vessel.bites.def().axis}; };

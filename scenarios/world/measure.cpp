@@ -1,6 +1,7 @@
 #include "scenarios/world/measure.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "scenarios/world/world.hpp"
@@ -32,13 +33,13 @@ double World::tension_after(const Grasp& grasp) const {
     return link < thread_.tension().size() ? std::max(0.0, thread_.tension()[link]) : 0;
 }
 
-// No thread pulls harder than the jaws that hold it: beyond their grip it slides. The estimate from lag alone knows no
-// such limit.
-double World::weakest_grip() const {
-    double weakest = 0;
+// No thread pulls harder than the jaws that hold it: beyond their grip it slides. One that only a needle leads pulls as hard as it likes, one that
+// nobody holds not at all. The estimate from lag alone knows no such limit.
+double World::most_pull() const {
+    double most = needle_.holder.tool < 0 ? 0 : std::numeric_limits<double>::infinity();
     for (const Tool& tool : tools_)
-        if (!tool.grasps.empty()) weakest = weakest == 0 ? tool.shape.grip_force : std::min(weakest, tool.shape.grip_force);
-    return weakest;
+        if (!tool.grasps.empty()) most = most == 0 ? tool.shape.grip_force : std::min(most, tool.shape.grip_force);
+    return most;
 }
 
 void World::measure(const sim::thread::TickReport& report) {
@@ -59,7 +60,7 @@ void World::measure(const sim::thread::TickReport& report) {
     measures_.duration_s = t;
     const auto tension = thread_.tension();
     tension_now_ = *std::max_element(tension.begin(), tension.end());
-    if (!is_elastic() && needle_.holder.tool < 0) tension_now_ = std::min(tension_now_, weakest_grip());
+    if (!is_elastic()) tension_now_ = std::min(tension_now_, most_pull());
     raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];

@@ -27,8 +27,7 @@ constexpr double contact_stiffness = 1000;
 // By `ftl` a tension is an estimate: no more than the thread, and the jaws that hold it, bear.
 double World::believed_share() const {
     if (is_elastic()) return 1;
-    const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()), grip = weakest_grip();
-    const double most = grip > 0 ? std::min(grip, def_.thread.break_force) : def_.thread.break_force;
+    const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()), most = std::min(most_pull(), def_.thread.break_force);
     return tension <= most ? 1 : most / tension;
 }
 

@@ -76,8 +76,7 @@ void World::pull_walls(int vessel) {
             const double share = 1.0 / static_cast<double>(tool.walls.size()), most = share * tool.shape.grip_force;
             const Vec3 wanted = tool.now.pose.position + tool.now.pose.rotation * grip.anchor;
             const Vec3 force = share * stiffness * (wanted - of.tissue.position(grip.at));
-            const double limit = std::min(1.0, most / std::max(most, force.norm()));
-            of.forces.push_back({grip.at, limit * force, share * stiffness});
+            of.forces.push_back({grip.at, most / std::max(most, force.norm()) * force, share * stiffness});
         }
 }
 

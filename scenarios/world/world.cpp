@@ -95,12 +95,20 @@ std::uint64_t World::hash() const {
                 for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
         }
     }
-    for (const SoftVessel& vessel : vessels_)
-        for (const Vec3& node : vessel.tissue.nodes())
-            for (int c = 0; c < 3; ++c) add(node[c]);
-    if (has_needle())
-        for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards})
-            for (int c = 0; c < 3; ++c) add((*of_needle)[c]);
+    const auto add_place = [&](const Vec3& place) {
+        for (int c = 0; c < 3; ++c) add(place[c]);
+    };
+    for (const SoftVessel& vessel : vessels_) {
+        for (const Vec3& node : vessel.tissue.nodes()) add_place(node);
+        for (int t = 0; t < vessel.skin.size(); ++t) add_place(wall_.tree()[vessel.first + t].a);  // which may be behind the tissue
+        for (const tissue::Bite& bite : vessel.bites.bites()) add(static_cast<double>(bite.state) + 4 * bite.on_needle + 8 * bite.torn);
+    }
+    if (has_needle()) {
+        for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards}) add_place(*of_needle);
+        for (const Holder* holder : {&needle_.holder, &needle_.next}) add(holder->tool);
+    }
+    for (const Tool& tool : tools_)
+        for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
     if (strength_.pulled_s > 0) add(strength_.pulled_s);
     return hash;
 }

@@ -163,7 +163,7 @@ class World {
     double pull_on(const Grasp& grasp) const;
     Vec3 slide_by_lag(const Tool& tool, const Grasp& grasp) const;
     Vec3 slide_by_stretch(const Tool& tool, const Grasp& grasp) const;
-    double weakest_grip() const;
+    double most_pull() const;
     static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last);
     void log(const char* kind, const std::string& what, double value);
 

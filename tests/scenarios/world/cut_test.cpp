@@ -97,6 +97,12 @@ struct Play {
     double fastest = 0;  // node [m/s]
 };
 
+Scene scene_that_breaks_at_1_N(const char* model) {
+    Scene scene(model);
+    scene.def.thread.break_force = 1;
+    return scene;
+}
+
 }  // namespace
 
 // A pull past what the thread bears: it parts in one place, at that pull and not before, and nothing pulls or whips after it. By geometry
@@ -104,9 +110,7 @@ struct Play {
 TEST(Break, OnceAtTheForceThatTheThreadBears) {
     for (const char* model : {"ftl", "elastic"}) {
         SCOPED_TRACE(model);
-        Scene scene(model);
-        scene.def.thread.break_force = 1;
-        Play play(scene);
+        Play play(scene_that_breaks_at_1_N(model));
         play.close({0, 1});
         double rise = 0;
         int too_hard = 0;  // ticks
@@ -154,9 +158,7 @@ TEST(Break, AtTheForceOfItsSize) {
 TEST(Break, NotBelowThatForce) {
     for (const char* model : {"ftl", "elastic"}) {
         SCOPED_TRACE(model);
-        Scene scene(model);
-        scene.def.thread.break_force = 1;
-        Play play(scene);
+        Play play(scene_that_breaks_at_1_N(model));
         play.close({0, 1});
         for (int i = 0; i < 2000 && play.world.tension_now() < 0.95; ++i) play.move(1, Vec3(2e-6, 0, 0), 1);
         for (int i = 0; i < 1000; ++i) play.tick();

@@ -1,0 +1,58 @@
+// What a person writes of hands becomes what they do.
+#include <gtest/gtest.h>
+
+#include "scenarios/drill/file.hpp"
+#include "scenarios/drill/waypoints.hpp"
+
+namespace {
+
+using namespace scenarios::drill;
+using instruments::ToolInput;
+using sim::geometry::Vec3;
+
+constexpr double mm = 1e-3;
+
+// Of the one tool, at a time [s].
+ToolInput at(const std::string& steps, double time) {
+    const Waypoints read = parse_waypoints("tool hand pointing 0 1 0 opening 0 0 1\nstart hand 3 0 5 jaw 0\n" + steps, "w");
+    ToolInput input;
+    read.motion.at(time, {&input, 1});
+    return input;
+}
+
+// A needle goes through one hole only if its holder turns about the needle's own axis, place and attitude alike.
+TEST(Waypoints, ATurnGoesRoundAnAxis) {
+    const Vec3 centre(0, 0, 5 * mm);
+    for (double time = 0; time <= 2; time += 0.05) {
+        const ToolInput hand = at("turn hand 90 about 0 -1 0 through 0 0 5 in 2\n", time);
+        const Vec3 arm = hand.pose.position - centre;
+        EXPECT_NEAR(arm.norm(), 3 * mm, 1e-3 * 3 * mm) << time;                        // pieces of 5 degrees
+        EXPECT_LT((hand.pose.rotation * Vec3::UnitZ() - Vec3::UnitY()).norm(), 1e-12);  // along the axis still; rounding
+        EXPECT_NEAR((hand.pose.rotation * Vec3::UnitX()).dot(arm.normalized()), 0, 1e-3);  // opens across the arm, as it did
+    }
+    const ToolInput turned = at("turn hand 90 about 0 -1 0 through 0 0 5 in 2\n", 2);
+    EXPECT_LT((turned.pose.position - Vec3(0, 0, 8 * mm)).norm(), 1e-9 * mm);
+}
+
+TEST(Waypoints, AMirrorTurnsTheOtherWayRound) {
+    const Vec3 plain = at("turn hand 30 about 1 0 1 through 0 4 5 in 1\n", 1).pose.position;
+    const Vec3 mirrored = at("mirror y\nturn hand 30 about 1 0 1 through 0 4 5 in 1\n", 1).pose.position;
+    EXPECT_LT((mirrored - Vec3(plain.x(), -plain.y(), plain.z())).norm(), 1e-9 * mm);
+    EXPECT_GT(std::abs(plain.y()), 0.1 * mm);
+}
+
+TEST(Waypoints, SaysWhatIsWrongWithATurn) {
+    const auto said = [](const std::string& steps) -> std::string {
+        try {
+            at(steps, 0);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(said("turn hand 30 about 0 0 0 through 0 0 0 in 1\n"), "w:3: error: the axis has no direction, expected one component other than 0");
+    EXPECT_EQ(said("turn hand 30 around 0 0 1 through 0 0 0 in 1\n"), "w:3: error: expected \"about\", found \"around\"");
+    EXPECT_EQ(said("turn hand 30 about 0 0 1 through 0 0 0 in 0\n").substr(0, 25), "w:3: error: seconds: expe");
+}
+
+}  // namespace
