@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct VesselDef {
     bool is_soft = false;                                   ///< Its wall gives way, with
     double young_modulus = 0.1e6;                           ///< [Pa], and
     double puncture_force = 0.05;                           ///< a needle's tip goes through at this [N].
+    std::vector<std::array<Vec3, 2>> bitten;                ///< From, to [m]: straight ways of a needle through its walls before the scene, in which thread may lie.
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
 };
 

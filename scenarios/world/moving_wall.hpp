@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/geometry/triangle_tree.hpp"
+#include "tissue/skin.hpp"
 
 namespace scenarios::world {
 
@@ -17,9 +18,8 @@ class MovingWall {
     /// `radius`: of the thread [m].
     MovingWall(std::vector<Triangle> triangles, double radius);
 
-    /// Other triangles in place of these, of which most corners are the same: those are where they were, new ones behind theirs as far as the
-    /// nearest. Milliseconds.
-    void renew(std::vector<Triangle> triangles);
+    /// Other triangles in place of these, each a part of one of them: what is left stays where it was shown. Milliseconds.
+    void renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts);
 
     const sim::geometry::TriangleTree& tree() const { return tree_; }
     int size() const { return tree_.size(); }

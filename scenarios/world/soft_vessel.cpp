@@ -56,7 +56,10 @@ static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
 SoftVessel::SoftVessel(const VesselDef& def, double wire)
     : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), bites(bites_of(def, wire), tissue.rest()), clamps(clamps_of(def, tissue.rest())),
       name(def.name) {
-    forces.reserve(4096);
+    for (const auto& [from, to] : def.bitten) bites.begin_with(from, to, skin);
+    skin.forget_parts();
+    pulls.assign(static_cast<std::size_t>(skin.holes()), Vec3::Zero());
+    forces.reserve(4096), pulls.reserve(128), strengths.reserve(64);
 }
 
 std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels) {

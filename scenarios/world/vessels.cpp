@@ -39,9 +39,11 @@ void World::load_vessels() {
         for (SoftVessel& vessel : vessels_) {
             const int triangle = pressed.triangle - vessel.first;
             if (triangle < 0 || triangle >= vessel.skin.size() || pressed.force.isZero(0)) continue;
-            const tissue::MaterialPoint at = vessel.skin.point(triangle, tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at));
+            const Vec3 weights = tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at);
+            const tissue::MaterialPoint at = vessel.skin.point(triangle, weights);
             const double size = believed * pressed.force.norm();
             const Vec3 way = pressed.force.normalized();
+            if (const int hole = vessel.skin.hole_about(triangle, weights); hole >= 0) vessel.pulls[static_cast<std::size_t>(hole)] += share * size * way;
             const double left = std::max(0.0, size - contact_stiffness * std::max(0.0, way.dot(vessel.tissue.position(at) - pressed.at)));
             vessel.forces.push_back({at, share * left * way, share * contact_stiffness});
         }
@@ -77,7 +79,7 @@ void World::move_vessels() {
 }
 
 void World::move(SoftVessel& vessel, double seconds) {
-    const int holes = vessel.skin.holes();
+    const int openings = vessel.skin.openings();
     pull_walls(static_cast<int>(&vessel - vessels_.data()));
     const Arc with_swage = needle_.now.longer(thread_.rest_lengths().front());  // the link that it leads as stiffly as itself
     push_walls(static_cast<int>(&vessel - vessels_.data()));
@@ -87,15 +89,22 @@ void World::move(SoftVessel& vessel, double seconds) {
     vessel.forces.clear();
     vessel.skin.update(vessel.tissue.nodes());
     vessel.bites.settle(vessel.skin);
+    pull_at_bites(vessel, seconds);
     for (const tissue::BiteEvent& event : vessel.bites.events()) log(name_of(event.kind), vessel.name, event.force);
-    if (vessel.skin.holes() > holes) renew_wall();
+    if (vessel.skin.openings() > openings) renew_wall();
 }
 
-// A hole is new: triangles have other numbers, and the thread looks for all of them anew.
+// A hole or a slit is new: triangles have other numbers, and the thread looks for all of them anew.
 void World::renew_wall() {
     const std::size_t rigid = vessels_.empty() ? targets_.size() : static_cast<std::size_t>(vessels_.front().first);
+    std::vector<tissue::Part> parts;
+    for (std::size_t t = 0; t < rigid; ++t) parts.push_back({static_cast<int>(t)});
+    for (SoftVessel& vessel : vessels_) {
+        for (const tissue::Part& part : vessel.skin.parts()) parts.push_back({vessel.first + part.of, part.weights});
+        vessel.skin.forget_parts();
+    }
     targets_ = with_skins({targets_.begin(), targets_.begin() + static_cast<std::ptrdiff_t>(rigid)}, vessels_);
-    wall_.renew(targets_);
+    wall_.renew(targets_, parts);
     wall_is_new_ = true;
 }
 

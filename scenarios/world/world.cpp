@@ -110,6 +110,11 @@ std::uint64_t World::hash() const {
     for (const Tool& tool : tools_)
         for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
     if (strength_.pulled_s > 0) add(strength_.pulled_s);
+    for (const SoftVessel& vessel : vessels_) {
+        for (const Vec3& pull : vessel.pulls) add_place(pull);
+        for (const sim::thread::Strength& strength : vessel.strengths)
+            if (strength.pulled_s > 0) add(strength.pulled_s);
+    }
     return hash;
 }
 

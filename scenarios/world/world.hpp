@@ -132,6 +132,7 @@ class World {
     void load_vessels();
     void move_vessels();
     void move(SoftVessel& vessel, double seconds);
+    void pull_at_bites(SoftVessel& vessel, double seconds);
     void renew_wall();
     void show_vessels();
     void measure(const sim::thread::TickReport& report);

@@ -154,13 +154,12 @@ TEST(Bites, TearOutOnce) {
     Stitching scene({});
     Log log;
     swing(scene, down_and_out, -0.1e-3, 3e-3, log);
-    const BiteEnd& entry = scene.bites.bites()[0].entry;
     const double bears = scene.bites.bears(scene.bites.bites()[0]);
     EXPECT_NEAR(bears, 1.35 * (0.5 / 0.4) * (1.53 / 2), 0.05);  // [N], as far from the cut as the needle was aimed
-    EXPECT_FALSE(scene.bites.pull(entry.hole, 0.99 * bears));
+    EXPECT_FALSE(scene.bites.pull(0, 0.99 * bears, scene.skin));
     EXPECT_EQ(scene.bites.holes_on_needle(), 2);
-    EXPECT_TRUE(scene.bites.pull(entry.hole, 1.01 * bears));
-    EXPECT_TRUE(scene.bites.pull(entry.hole, 0));
+    EXPECT_TRUE(scene.bites.pull(0, 1.01 * bears, scene.skin));
+    EXPECT_TRUE(scene.bites.pull(0, 0, scene.skin));
     ASSERT_EQ(scene.bites.events().size(), 1u);
     EXPECT_EQ(scene.bites.events()[0].kind, BiteEvent::torn);
     EXPECT_TRUE(scene.bites.bites()[0].torn);

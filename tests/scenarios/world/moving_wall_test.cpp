@@ -94,6 +94,30 @@ TEST_P(MovingWallTest, StopsAtATautOne) {
     EXPECT_LE(up, 0);
 }
 
+// Some way behind, one of its triangles is split and another one taken out: what is left of what is shown is where it was, and goes on from there.
+TEST(MovingWall, StaysWhereItIsShownWhenItIsRenewed) {
+    MovingWall wall(plate(0), 0.1 * mm);
+    const std::vector<double> rooms(static_cast<std::size_t>(wall.size()), 0.2 * mm);
+    wall.follow(plate(1 * mm), rooms);
+    const std::vector<Triangle> shown = wall.tree().triangles(), target = plate(1 * mm);
+    const Vec3 inside(0.2, 0.3, 0.5);
+    std::vector<Triangle> left;
+    std::vector<tissue::Part> parts;
+    for (int t = 2; t < static_cast<int>(target.size()); ++t) left.push_back(target[static_cast<std::size_t>(t)]), parts.push_back({t});
+    const auto within = [&](const Triangle& t) -> Vec3 { return inside.x() * t.a + inside.y() * t.b + inside.z() * t.c; };
+    Eigen::Matrix3d weights = Eigen::Matrix3d::Identity();
+    weights.col(2) = inside;
+    left.push_back({target[1].a, target[1].b, within(target[1])}), parts.push_back({1, weights});
+    wall.renew(left, parts);
+    ASSERT_EQ(wall.size(), static_cast<int>(shown.size()) - 1);
+    for (int t = 0; t + 1 < wall.size(); ++t)
+        for (const auto& corner : {&Triangle::a, &Triangle::b, &Triangle::c}) EXPECT_LE((wall.tree()[t].*corner - shown[static_cast<std::size_t>(t + 2)].*corner).norm(), 1e-15);  // rounding
+    EXPECT_LE((wall.tree()[wall.size() - 1].c - within(shown[1])).norm(), 1e-15);
+    const std::vector<double> wide(static_cast<std::size_t>(wall.size()), 1);
+    wall.follow(left, wide);
+    EXPECT_LE((wall.tree()[wall.size() - 1].c - left.back().c).norm(), 1e-15);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, MovingWallTest, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
 
 }  // namespace
