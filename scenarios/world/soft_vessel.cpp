@@ -1,5 +1,6 @@
 #include "scenarios/world/soft_vessel.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "tissue/tube.hpp"
@@ -60,6 +61,22 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
     skin.forget_parts();
     pulls.assign(static_cast<std::size_t>(skin.holes()), Vec3::Zero());
     forces.reserve(4096), pulls.reserve(128), strengths.reserve(64);
+}
+
+// Of a wall with what presses on it [N/m]: twenty times as stiff as a vessel is under a millimetre's pull, so that the wall goes no farther ahead
+// of what it is shown to the thread as than a twentieth of its way.
+constexpr double contact_stiffness = 1000;
+
+void SoftVessel::press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed, double share) {
+    if (pressed.force.isZero(0)) return;
+    const int triangle = pressed.triangle - first;
+    const Vec3 weights = tissue::weights_in(shown, pressed.at);
+    const tissue::MaterialPoint at = skin.point(triangle, weights);
+    const double size = believed * pressed.force.norm();
+    const Vec3 way = pressed.force.normalized();
+    if (const int hole = skin.hole_about(triangle, weights); hole >= 0) pulls[static_cast<std::size_t>(hole)] += share * size * way;
+    const double left = std::max(0.0, size - contact_stiffness * std::max(0.0, way.dot(tissue.position(at) - pressed.at)));
+    forces.push_back({at, share * left * way, share * contact_stiffness});
 }
 
 std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels) {

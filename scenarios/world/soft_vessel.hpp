@@ -14,6 +14,10 @@ tissue::Mesh wall_of(const VesselDef& def);
 struct SoftVessel {
     SoftVessel(const VesselDef& def, double wire);
 
+    /// What the thread presses on one of its triangles, of which `believed` counts, for `share` of the next step. It presses on the wall that it is `shown`: by as
+    /// much as the tissue has gone on from there already it presses less.
+    void press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed, double share);
+
     tissue::Tissue tissue;
     tissue::Skin skin;
     tissue::Bites bites;

@@ -20,10 +20,6 @@ static const char* name_of(tissue::BiteEvent::Kind kind) {
     return "";
 }
 
-// Of a wall with what presses on it [N/m]: twenty times as stiff as a vessel is under a millimetre's pull, so that the wall goes no farther ahead
-// of what it is shown to the thread as than a twentieth of its way.
-constexpr double contact_stiffness = 1000;
-
 // By `ftl` a tension is an estimate: no more than the thread, and the jaws that hold it, bear.
 double World::believed_share() const {
     if (is_elastic()) return 1;
@@ -31,22 +27,12 @@ double World::believed_share() const {
     return tension <= most ? 1 : most / tension;
 }
 
-// What the thread does to a vessel between two of its steps counts for as long as it did it. It presses on the wall that it is shown: by as much
-// as the tissue has gone on from there already it presses less.
+// What the thread does to a vessel between two of its steps counts for as long as it did it.
 void World::load_vessels() {
     const double share = 1.0 / static_cast<double>(period(vessels_.size())), believed = believed_share();
     for (const sim::thread::SurfaceForce& pressed : thread_.surface_forces())
-        for (SoftVessel& vessel : vessels_) {
-            const int triangle = pressed.triangle - vessel.first;
-            if (triangle < 0 || triangle >= vessel.skin.size() || pressed.force.isZero(0)) continue;
-            const Vec3 weights = tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at);
-            const tissue::MaterialPoint at = vessel.skin.point(triangle, weights);
-            const double size = believed * pressed.force.norm();
-            const Vec3 way = pressed.force.normalized();
-            if (const int hole = vessel.skin.hole_about(triangle, weights); hole >= 0) vessel.pulls[static_cast<std::size_t>(hole)] += share * size * way;
-            const double left = std::max(0.0, size - contact_stiffness * std::max(0.0, way.dot(vessel.tissue.position(at) - pressed.at)));
-            vessel.forces.push_back({at, share * left * way, share * contact_stiffness});
-        }
+        for (SoftVessel& vessel : vessels_)
+            if (vessel.first <= pressed.triangle && pressed.triangle < vessel.first + vessel.skin.size()) vessel.press(pressed, wall_.tree()[pressed.triangle], believed, share);
 }
 
 // Tools push walls out of themselves, but jaws not what is between them.
