@@ -51,7 +51,7 @@ static tissue::Material material_of(const VesselDef& def) {
 
 // What the needle opens stays open. A hole hardly wider than the thread would take links only along its axis.
 static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
-    return {.puncture = def.puncture_force, .grip = 2, .hole = wire, .axis = def.axis};
+    return {.puncture = def.puncture_force, .grip = 2, .hole = wire, .axis = def.axis, .wall = def.wall};
 }
 
 SoftVessel::SoftVessel(const VesselDef& def, double wire)

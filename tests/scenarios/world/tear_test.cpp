@@ -20,9 +20,9 @@ struct Scene {
     scenarios::world::WorldDef def;
     std::vector<ToolInput> tools;
 
-    explicit Scene(const char* model, double bite) {
+    explicit Scene(const char* model, double bite, double wall = 0.5 * mm) {
         scenarios::world::VesselDef end;
-        end.wall = 0.5 * mm;
+        end.wall = wall;
         end.length = 6 * mm;
         end.centre = {-3 * mm, 0, 0};
         end.end_held = false;
@@ -157,6 +157,41 @@ TEST_P(Tear, IsNotTornByLess) {
     EXPECT_TRUE(torn(world).empty());
     EXPECT_EQ(world.vessels()[0].skin.openings(), openings);
     EXPECT_FALSE(world.vessels()[0].bites.bites()[0].torn);
+}
+
+// E29: drawn on as if to 5 N, on a wall of a tenth of a millimetre.
+TEST_P(Tear, TearsAThinWallOnce) {
+    Scene scene(GetParam(), 0.8 * mm, 0.1 * mm);
+    World world(scene.def, {}, scene.tools);
+    const double borne = bears(world);
+    EXPECT_NEAR(borne, 1.35 * (0.1 / 0.4) * (0.8 / 2), 1e-3);
+    close(scene, world);
+    for (int t = 0; t < 1000; ++t) draw(scene, world, 5 * mm);
+    ASSERT_EQ(torn(world).size(), 1u);
+    EXPECT_GT(torn(world)[0].value, borne);
+    if (std::string(GetParam()) == "elastic") {
+        EXPECT_NEAR(torn(world)[0].value, borne, 0.1 * borne);
+    }
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+    EXPECT_LT(off_rest(world), 0.05 * mm);
+}
+
+// E40: one strand is jammed between jaws, the other one leaps away with ten times what hands do.
+TEST_P(Tear, TearsOrBreaksOnceWhenYanked) {
+    Scene scene(GetParam(), 0.8 * mm);
+    World world(scene.def, {}, scene.tools);
+    close(scene, world);
+    for (int t = 0; t < 1000; ++t) {
+        if (t < 40) scene.tools[0].pose.position.x() += 500 * mm * tick;
+        world.tick(scene.tools);
+    }
+    const auto count = [&](const char* kind) { return std::count_if(world.events().begin(), world.events().end(), [&](const auto& event) { return event.kind == kind; }); };
+    EXPECT_LE(count("torn"), 1);
+    EXPECT_LE(count("break"), 1);
+    EXPECT_GE(count("torn") + count("break"), 1);
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+    EXPECT_LT(off_rest(world), 0.05 * mm);
+    EXPECT_TRUE(std::all_of(world.thread().begin(), world.thread().end(), [](const Vec3& node) { return node.allFinite(); }));
 }
 
 // What of an estimate lasts less than a tenth of a second was a hand that leapt.
