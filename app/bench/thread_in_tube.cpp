@@ -88,8 +88,8 @@ double ThreadInTube::draw(bool by_lead, double way, double load) {
         vessel_.skin.update(vessel_.tissue.nodes());
         for (int t = 0; t < vessel_.skin.size(); ++t) targets_[static_cast<std::size_t>(t)] = vessel_.skin[t];
     }
-    thread_.surface_room(rooms_);
-    moved_ = wall_.follow(targets_, rooms_);
+    thread_.surface_room(rooms_, near_);
+    moved_ = wall_.follow(targets_, rooms_, near_);
     return gone;
 }
 

@@ -54,6 +54,7 @@ class ThreadInTube {
     sim::thread::Thread thread_;
     std::vector<int> holes_;       // in the thread's order
     std::vector<double> rooms_;
+    std::vector<sim::thread::SurfaceGap> near_;
     std::vector<Vec3> loads_;
     double moved_ = 0;
     int ticks_ = 0, passes_ = 0;

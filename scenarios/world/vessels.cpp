@@ -104,8 +104,8 @@ void World::show_vessels() {
         return;
     }
     rooms_.resize(targets_.size());
-    thread_.surface_room(rooms_);
-    wall_moved_ = wall_.follow(targets_, rooms_);
+    thread_.surface_room(rooms_, near_);
+    wall_moved_ = wall_.follow(targets_, rooms_, near_);
 }
 
 }  // namespace scenarios::world

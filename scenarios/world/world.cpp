@@ -75,6 +75,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     holds_.reserve(16 * tools + on_needle);
     capsules_.reserve(instruments::part_count * tools + instruments::needle_parts);
     events_.reserve(1024);
+    near_.reserve(4096);
 }
 
 void World::log(const char* kind, const std::string& what, double value) { events_.push_back({time_s(), kind, what, value}); }

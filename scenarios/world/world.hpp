@@ -176,6 +176,7 @@ class World {
     MovingWall wall_;                              // of all vessels, the rigid ones first
     std::vector<Triangle> targets_;                // where it should be
     std::vector<double> rooms_;                    // scratch
+    std::vector<sim::thread::SurfaceGap> near_;    // scratch
     bool wall_is_new_ = false;                     // its triangles have other numbers than the thread knows
     double wall_moved_ = 0;                        // since the last tick [m]
     instruments::Bench bench_;

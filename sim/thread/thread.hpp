@@ -78,6 +78,13 @@ struct SurfaceForce {
     int link;       ///< That presses.
 };
 
+/// Between a link's middle line and one of the surface's triangles.
+struct SurfaceGap {
+    int triangle;
+    Vec3 away;      ///< Unit, from the line to the triangle: all of either is on its own side of the gap, for both are convex.
+    double width;   ///< [m]
+};
+
 /// What cuts leave whole: nodes `first` to `last`, at least two.
 struct Piece {
     int first, last;
@@ -118,8 +125,9 @@ class Thread {
     /// What it did to the surface as the last tick ended: pushes and friction of an elastic thread; by Follow-The-Leader, which has no
     /// forces, what the estimated tensions of the links that meet there pull.
     std::span<const SurfaceForce> surface_forces() const;
-    /// How far each triangle of the last tick's surface is at least from the thread's middle line [m]; never told more than it looked.
-    void surface_room(std::span<double> rooms) const;
+    /// How far each triangle of the last tick's surface is at least from the thread's middle line [m]; never told more than it looked. Of what may touch next `near`
+    /// says which way from the line it is instead, link by link. Allocates only where that must grow.
+    void surface_room(std::span<double> rooms, std::vector<SurfaceGap>& near) const;
     double progress(int owner) const;                ///< Share of its motion that a tool made in the last tick.
     std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.
 

@@ -46,8 +46,8 @@ struct Scene {
         const std::vector<int> owners(holds.size(), -1);
         const auto report = thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .surface = &wall.tree(), .seconds = tick, .surface_moved = moved});
         passes += report.pass_throughs;
-        thread.surface_room(rooms);
-        moved = wall.follow(plate(z), rooms);
+        thread.surface_room(rooms, near);
+        moved = wall.follow(plate(z), rooms, near);
     }
     // Of the thread's middle line over the wall [radii].
     double height() const {
@@ -62,6 +62,7 @@ struct Scene {
     Thread thread;
     MovingWall wall;
     std::vector<double> rooms;
+    std::vector<sim::thread::SurfaceGap> near;
     double moved = 0;
     int passes = 0;
 };
@@ -78,6 +79,16 @@ TEST_P(MovingWallTest, TakesAFreeThreadAlong) {
     EXPECT_DOUBLE_EQ(scene.top(), plate(1.5 * mm)[(4 * 8 + 4) * 2].a.z());
     EXPECT_GE(scene.height(), 0.8);  // passes of `ftl` leave a tenth of the thickness in walls
     for (const Vec3& node : scene.thread.nodes()) EXPECT_GT(node.z(), 0.5 * mm);
+    EXPECT_EQ(scene.passes, 0);
+}
+
+// However deep a taut thread is pressed into it: what goes away, or along it, needs no room.
+TEST_P(MovingWallTest, LeavesATautOneAtOnce) {
+    Scene scene(GetParam());
+    for (int t = 0; t < 400; ++t) scene.step(-0.5 * mm + 100 * mm * tick * t, true);
+    ASSERT_LT(scene.height(), 1);
+    for (int t = 0; t < 30; ++t) scene.step(-0.5 * mm, true);
+    EXPECT_GT(scene.height(), 2);
     EXPECT_EQ(scene.passes, 0);
 }
 
@@ -98,7 +109,7 @@ TEST_P(MovingWallTest, StopsAtATautOne) {
 TEST(MovingWall, StaysWhereItIsShownWhenItIsRenewed) {
     MovingWall wall(plate(0), 0.1 * mm);
     const std::vector<double> rooms(static_cast<std::size_t>(wall.size()), 0.2 * mm);
-    wall.follow(plate(1 * mm), rooms);
+    wall.follow(plate(1 * mm), rooms, {});
     const std::vector<Triangle> shown = wall.tree().triangles(), target = plate(1 * mm);
     const Vec3 inside(0.2, 0.3, 0.5);
     std::vector<Triangle> left;
@@ -114,7 +125,7 @@ TEST(MovingWall, StaysWhereItIsShownWhenItIsRenewed) {
         for (const auto& corner : {&Triangle::a, &Triangle::b, &Triangle::c}) EXPECT_LE((wall.tree()[t].*corner - shown[static_cast<std::size_t>(t + 2)].*corner).norm(), 1e-15);  // rounding
     EXPECT_LE((wall.tree()[wall.size() - 1].c - within(shown[1])).norm(), 1e-15);
     const std::vector<double> wide(static_cast<std::size_t>(wall.size()), 1);
-    wall.follow(left, wide);
+    wall.follow(left, wide, {});
     EXPECT_LE((wall.tree()[wall.size() - 1].c - left.back().c).norm(), 1e-15);
 }
 
