@@ -63,9 +63,9 @@ struct WorldDef {
 /// One moment worth telling: grasp, release, slip, knot named, input dropped ...
 struct Event {
     double t_s;
-    std::string kind;   ///< "grasp", "release", "slip", "cut", "break", "knot", "input_dropped", "lag", "pass_through".
+    std::string kind;   ///< "grasp", "release", "slip", "cut", "break", "torn", "needle_grasp", "needle_bent", "knot", "input_dropped", "lag", "pass_through".
     std::string what;   ///< e.g. "right", the knot's name, or what pull the thread broke at.
-    double value = 0;   ///< e.g. tension [N] at a slip, place along the thread [mm] at a grasp, a cut or a break.
+    double value = 0;   ///< e.g. force [N] at a slip, a tear or a needle that bends, place along the thread or needle [mm] at a grasp, a cut or a break.
 };
 
 }  // namespace scenarios::world

@@ -107,6 +107,7 @@ std::uint64_t World::hash() const {
     if (has_needle()) {
         for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards}) add_place(*of_needle);
         for (const Holder* holder : {&needle_.holder, &needle_.next}) add(holder->tool);
+        add(needle_.bent);
     }
     for (const Tool& tool : tools_)
         for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
