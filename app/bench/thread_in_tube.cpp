@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/geometry/closest_points.hpp"
 
@@ -63,7 +64,7 @@ sim::thread::Thread lay(const ThreadInTube::Def& def) {
 
 ThreadInTube::ThreadInTube(const Def& def)
     : def_(def), to_tail_(tail_way()), to_lead_(lead_way(def.bites)), vessel_(tube(def.bites), wire), targets_(scenarios::world::with_skins({}, {&vessel_, 1})), wall_(targets_, radius),
-      thread_(lay(def)), rooms_(targets_.size()) {
+      thread_(lay(def)), at_first_(std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().end(), 0.0)), rooms_(targets_.size()) {
     for (const tissue::Bite& bite : vessel_.bites.bites()) holes_.push_back(bite.entry.hole), holes_.push_back(bite.exit.hole);
 }
 
@@ -145,16 +146,20 @@ double ThreadInTube::turned() const {
 double ThreadInTube::tension_of_tail() const { return tension_at(at_holes().front().along - clear); }
 double ThreadInTube::tension_of_lead() const { return tension_at(at_holes().back().along + clear); }
 
-double ThreadInTube::length() const {
-    double sum = 0;
-    for (std::size_t k = 1; k < thread_.nodes().size(); ++k) sum += (thread_.nodes()[k] - thread_.nodes()[k - 1]).norm();
-    return sum;
-}
-
-double ThreadInTube::rest_length() const {
-    double sum = 0;
-    for (std::size_t k = 0; k < thread_.rest_lengths().size(); ++k) sum += thread_.rest_lengths()[k] * (1 + (def_.is_elastic ? thread_.tension()[k] / (young * section) : 0));
-    return sum;
+double ThreadInTube::length_off(bool by_lead, double load) const {
+    const auto rest = thread_.rest_lengths();
+    const auto nodes = thread_.nodes();
+    const double at_rest = std::accumulate(rest.begin(), rest.end(), 0.0), kept = std::abs(at_rest / at_first_ - 1);
+    const auto holes = at_holes();
+    double along = 0, now = 0, before = 0;  // of what follows
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+        const double link = (nodes[k + 1] - nodes[k]).norm();
+        along += link;
+        const bool follows = by_lead ? along < holes.front().along - clear : along - link > holes.back().along + clear;
+        if (follows) now += link, before += rest[k];
+    }
+    if (!def_.is_elastic) return std::max(kept, std::abs(along / at_first_ - 1));
+    return std::max(kept, std::abs(now / before - 1 - load / (young * section)));
 }
 
 }  // namespace app::bench

@@ -36,8 +36,8 @@ class ThreadInTube {
     /// Before the first hole and after the last, a millimetre and a half away [N].
     double tension_of_tail() const;
     double tension_of_lead() const;
-    double length() const;         ///< Of its links now [m],
-    double rest_length() const;    ///< and at rest with what they carry by the material's stiffness [m].
+    /// Share by which its length is off what it was at first. An elastic one is stretched: of its links at rest, and of what follows the hand by `load` [N] over its material's stiffness.
+    double length_off(bool by_lead, double load) const;
     const sim::thread::Thread& thread() const { return thread_; }
     const scenarios::world::SoftVessel& vessel() const { return vessel_; }
     int passes() const { return passes_; }
@@ -52,6 +52,7 @@ class ThreadInTube {
     std::vector<sim::geometry::Triangle> targets_;
     scenarios::world::MovingWall wall_;
     sim::thread::Thread thread_;
+    double at_first_;              // its length at rest [m]
     std::vector<int> holes_;       // in the thread's order
     std::vector<double> rooms_;
     std::vector<sim::thread::SurfaceGap> near_;

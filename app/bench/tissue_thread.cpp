@@ -18,13 +18,13 @@ struct Seen {
     bool in_order = true;
     double off = 0, length = 0;  // of holes' middles [hole radii]; over what it should be [%]
 
-    void look(const ThreadInTube& scene) {
+    void look(const ThreadInTube& scene, bool by_lead) {
         const auto at = scene.at_holes();
         for (std::size_t i = 0; i < at.size(); ++i) {
             in_order = in_order && (i == 0 || at[i - 1].along < at[i].along);
             off = std::max(off, at[i].off / scene.vessel().skin.radius(0));
         }
-        length = std::max(length, 100 * std::abs(scene.length() / scene.rest_length() - 1));
+        length = std::max(length, 100 * scene.length_off(by_lead, load));
     }
 };
 
@@ -32,13 +32,13 @@ int ticks_of(double way, double speed) { return static_cast<int>(std::lround(way
 
 // Until it went so far; a hand that waits for three times as long gives up. Returns how much longer than without waiting it took.
 double draw(ThreadInTube& scene, bool by_lead, double way, Seen& seen) {
-    constexpr int look_every = 10;  // half a millimetre
+    constexpr int look_every = 10;  // half a millimetre, in which what was held before springs back
     const int ticks = ticks_of(way, fast);
     double gone = 0;
     int i = 0;
     for (; i < 3 * ticks && gone < way - 0.5 * fast * tick; ++i) {
         gone += scene.draw(by_lead, fast * tick, load);
-        if (i % look_every == 0) seen.look(scene);
+        if ((i + 1) % look_every == 0) seen.look(scene, by_lead);
     }
     return static_cast<double>(i) / ticks;
 }
@@ -70,7 +70,7 @@ class Rows {
     void add(const Seen& seen, int passes) {
         add("order", "holes in their order all the time, 1", seen.in_order, "count", 1, Must::be_at_least);
         add("passes", "pass-throughs", passes, "count", 0);
-        add("length", "length off at most, but for what it carries", seen.length, "%", 0.1);
+        add("length", "length off at most, but for what the load stretches it by", seen.length, "%", 0.1);
         add("off", "thread off a hole's middle at most, in the hole's radii", seen.off, "radii", 1);
     }
 
