@@ -30,6 +30,7 @@ void MovingWall::number_corners() {
         }
     }
     room_.resize(targets_.size());
+    ways_.resize(targets_.size());
 }
 
 void MovingWall::renew(std::vector<Triangle> triangles) {
@@ -53,9 +54,16 @@ void MovingWall::show() {
     for (std::size_t t = 0; t < moved_.size(); ++t) moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
 }
 
-double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms) {
+// What of a way comes nearer by more than it may is left out; the rest slides.
+static void hold_off(Vec3& way, const Vec3& normal, double may) {
+    if (const double nearer = way.dot(normal); nearer > may) way -= (nearer - may) * normal;
+}
+
+double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms, std::span<const sim::thread::SurfaceGap> gaps) {
     // A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools may press it.
     constexpr double share = 0.45, left_at_least = 0.6;
+    constexpr int sweeps = 3;  // a corner between links that look different ways; what is left after them shortens its way
+    const auto may = [&](double room) { return share * std::max(0.0, room - left_at_least * radius_); };
     std::fill(room_.begin(), room_.end(), 1e300);
     for (std::size_t t = 0; t < targets.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -63,12 +71,18 @@ double MovingWall::follow(std::span<const Triangle> targets, std::span<const dou
             targets_[corner] = *corners_of(targets[t])[k];
             room_[corner] = std::min(room_[corner], rooms[t]);
         }
+    for (std::size_t c = 0; c < places_.size(); ++c) ways_[c] = targets_[c] - places_[c];
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (const auto& gap : gaps)
+            for (const int corner : corners_[at(gap.triangle)]) hold_off(ways_[at(corner)], gap.normal, may(gap.gap));
+    for (const auto& gap : gaps)
+        for (const int corner : corners_[at(gap.triangle)])
+            if (const double nearer = ways_[at(corner)].dot(gap.normal); nearer > may(gap.gap)) ways_[at(corner)] *= may(gap.gap) / nearer;
     double most = 0;
     for (std::size_t c = 0; c < places_.size(); ++c) {
-        const Vec3 way = targets_[c] - places_[c];
-        const double far = way.norm(), may = share * std::max(0.0, room_[c] - left_at_least * radius_);
-        places_[c] = far > may ? Vec3(places_[c] + may / far * way) : targets_[c];
-        most = std::max(most, std::min(far, may));
+        const double far = ways_[c].norm(), most_here = may(room_[c]);
+        places_[c] += far > most_here ? Vec3(most_here / far * ways_[c]) : ways_[c];
+        most = std::max(most, std::min(far, most_here));
     }
     if (most == 0) return 0;
     show();

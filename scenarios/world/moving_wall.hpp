@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/thread.hpp"
 
 namespace scenarios::world {
 
 using sim::geometry::Triangle;
 
 /// All walls of a scene as the thread meets them. Those that give way come after their tissue as fast as the thread makes room, so that no
-/// wall ever passes through it: a corner goes no farther in a tick than 0.45 of what its triangles are off the thread's middle line, less
-/// what the thread is left at least.
+/// wall ever passes through it: where they are near a corner comes no nearer in a tick than 0.45 of what its triangles are off the thread's middle
+/// line, less what the thread is left at least, but goes as it likes along or away; elsewhere it goes no farther than that any way.
 class MovingWall {
   public:
     /// `radius`: of the thread [m].
@@ -24,9 +25,8 @@ class MovingWall {
     const sim::geometry::TriangleTree& tree() const { return tree_; }
     int size() const { return tree_.size(); }
 
-    /// Towards `targets`, one each. `rooms`: how far each is off the thread's middle line [m], which is left as it is. Returns the farthest
-    /// that any corner went [m]. Allocates nothing.
-    double follow(std::span<const Triangle> targets, std::span<const double> rooms);
+    /// Towards `targets`, one each. `rooms` and `gaps`: of Thread::surface_room(). Returns the farthest that any corner went [m]. Allocates nothing.
+    double follow(std::span<const Triangle> targets, std::span<const double> rooms, std::span<const sim::thread::SurfaceGap> gaps);
 
   private:
     void number_corners();
@@ -37,6 +37,7 @@ class MovingWall {
     std::vector<std::array<int, 3>> corners_;       // of each triangle; those that began in one place are one
     std::vector<sim::geometry::Vec3> places_, targets_;
     std::vector<double> room_;                      // of each corner [m]
+    std::vector<sim::geometry::Vec3> ways_;         // of each in this tick [m]
     std::vector<Triangle> moved_;
 };
 

@@ -109,8 +109,8 @@ void World::show_vessels() {
         return;
     }
     rooms_.resize(targets_.size());
-    thread_.surface_room(rooms_);
-    wall_moved_ = wall_.follow(targets_, rooms_);
+    thread_.surface_room(rooms_, gaps_);
+    wall_moved_ = wall_.follow(targets_, rooms_, gaps_);
 }
 
 }  // namespace scenarios::world

@@ -174,7 +174,8 @@ class World {
     tissue::WallContact wall_contact_;
     MovingWall wall_;                              // of all vessels, the rigid ones first
     std::vector<Triangle> targets_;                // where it should be
-    std::vector<double> rooms_;                    // scratch
+    std::vector<double> rooms_;                    // scratch,
+    std::vector<sim::thread::SurfaceGap> gaps_;    // and this
     bool wall_is_new_ = false;                     // its triangles have other numbers than the thread knows
     double wall_moved_ = 0;                        // since the last tick [m]
     instruments::Bench bench_;
