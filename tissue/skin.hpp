@@ -46,6 +46,8 @@ class Skin {
     Vec3 centre(int hole) const { return holes_[index(hole)].centre; }                  ///< [m]
     Vec3 normal_of_hole(int hole) const { return holes_[index(hole)].frame.col(2); }    ///< Unit, out of the wall.
     double radius(int hole) const { return holes_[index(hole)].radius; }                ///< Of what fits through [m].
+    /// The hole that a corner of a triangle goes along with, on its rim or round it; none: -1.
+    int hole_at(int triangle, std::size_t corner) const { return corners_[index(triangle)][corner].hole; }
     int face_of_hole(int hole) const { return holes_[index(hole)].face; }
     MaterialPoint point_of_hole(int hole) const { return point_of_face(face_of_hole(hole), holes_[index(hole)].weights); }
 

@@ -12,33 +12,35 @@ static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 static std::array<const Vec3*, 3> corners_of(const Triangle& t) { return {&t.a, &t.b, &t.c}; }
 
 MovingWall::MovingWall(std::vector<Triangle> triangles, double radius) : radius_(radius), tree_(triangles), moved_(std::move(triangles)) {
-    number_corners();
+    number_corners(std::vector<Holes>(moved_.size(), {-1, -1, -1}));
     places_ = targets_;
 }
 
-void MovingWall::number_corners() {
+void MovingWall::number_corners(const std::vector<Holes>& holes) {
     corners_.clear();
     targets_.clear();
+    hole_.clear();
     std::map<std::array<double, 3>, int> known;
-    for (const Triangle& t : moved_) {
+    for (std::size_t t = 0; t < moved_.size(); ++t) {
         auto& mine = corners_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& p = *corners_of(t)[k];
+            const Vec3& p = *corners_of(moved_[t])[k];
             const auto [found, is_new] = known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(targets_.size()));
-            if (is_new) targets_.push_back(p);
+            if (is_new) targets_.push_back(p), hole_.push_back(holes[t][k]);
             mine[k] = found->second;
         }
     }
     room_.resize(targets_.size());
     ways_.resize(targets_.size());
+    share_.resize(static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
 }
 
-void MovingWall::renew(std::vector<Triangle> triangles) {
+void MovingWall::renew(std::vector<Triangle> triangles, std::vector<Holes> holes) {
     const std::vector<Vec3> were = targets_, shown = places_;
     std::map<std::array<double, 3>, std::size_t> known;
     for (std::size_t c = 0; c < were.size(); ++c) known[{were[c].x(), were[c].y(), were[c].z()}] = c;
     moved_ = std::move(triangles);
-    number_corners();
+    number_corners(holes);
     places_.clear();
     for (const Vec3& target : targets_) {
         const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - target).squaredNorm() < (b - target).squaredNorm(); };
@@ -54,16 +56,39 @@ void MovingWall::show() {
     for (std::size_t t = 0; t < moved_.size(); ++t) moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
 }
 
+// A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools may press it.
+double MovingWall::may(double room) const {
+    constexpr double share = 0.45, left_at_least = 0.6;
+    return share * std::max(0.0, room - left_at_least * radius_);
+}
+
+void MovingWall::move_holes(std::span<const sim::thread::SurfaceGap> gaps) {
+    std::fill(share_.begin(), share_.end(), 1.0);
+    const auto shorten = [&](std::size_t corner, double way, double most) {
+        if (hole_[corner] >= 0 && way > most) share_[at(hole_[corner])] = std::min(share_[at(hole_[corner])], most / way);
+    };
+    for (std::size_t c = 0; c < ways_.size(); ++c) shorten(c, ways_[c].norm(), may(room_[c]));
+    for (const auto& gap : gaps)
+        for (const int corner : corners_[at(gap.triangle)]) shorten(at(corner), ways_[at(corner)].dot(gap.normal), may(gap.gap));
+    for (std::size_t c = 0; c < ways_.size(); ++c)
+        if (hole_[c] >= 0) ways_[c] *= share_[at(hole_[c])];
+}
+
 // What of a way comes nearer by more than it may is left out; the rest slides.
-static void hold_off(Vec3& way, const Vec3& normal, double may) {
-    if (const double nearer = way.dot(normal); nearer > may) way -= (nearer - may) * normal;
+void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
+    constexpr int sweeps = 3;  // a corner between links that look different ways; what is left after them shortens its way
+    for (int sweep = 0; sweep <= sweeps; ++sweep)
+        for (const auto& gap : gaps)
+            for (const int corner : corners_[at(gap.triangle)]) {
+                Vec3& way = ways_[at(corner)];
+                const double nearer = way.dot(gap.normal), most = may(gap.gap);
+                if (nearer <= most || hole_[at(corner)] >= 0) continue;
+                if (sweep < sweeps) way -= (nearer - most) * gap.normal;
+                else way *= most / nearer;
+            }
 }
 
 double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms, std::span<const sim::thread::SurfaceGap> gaps) {
-    // A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools may press it.
-    constexpr double share = 0.45, left_at_least = 0.6;
-    constexpr int sweeps = 3;  // a corner between links that look different ways; what is left after them shortens its way
-    const auto may = [&](double room) { return share * std::max(0.0, room - left_at_least * radius_); };
     std::fill(room_.begin(), room_.end(), 1e300);
     for (std::size_t t = 0; t < targets.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -72,17 +97,13 @@ double MovingWall::follow(std::span<const Triangle> targets, std::span<const dou
             room_[corner] = std::min(room_[corner], rooms[t]);
         }
     for (std::size_t c = 0; c < places_.size(); ++c) ways_[c] = targets_[c] - places_[c];
-    for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (const auto& gap : gaps)
-            for (const int corner : corners_[at(gap.triangle)]) hold_off(ways_[at(corner)], gap.normal, may(gap.gap));
-    for (const auto& gap : gaps)
-        for (const int corner : corners_[at(gap.triangle)])
-            if (const double nearer = ways_[at(corner)].dot(gap.normal); nearer > may(gap.gap)) ways_[at(corner)] *= may(gap.gap) / nearer;
+    move_holes(gaps);
+    move_rest(gaps);
     double most = 0;
     for (std::size_t c = 0; c < places_.size(); ++c) {
-        const double far = ways_[c].norm(), most_here = may(room_[c]);
-        places_[c] += far > most_here ? Vec3(most_here / far * ways_[c]) : ways_[c];
-        most = std::max(most, std::min(far, most_here));
+        const double far = ways_[c].norm(), most_here = may(room_[c]), share = far > most_here ? most_here / far : 1;
+        places_[c] += share * ways_[c];
+        most = std::max(most, share * far);
     }
     if (most == 0) return 0;
     show();

@@ -67,4 +67,17 @@ std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Trian
     return triangles;
 }
 
+std::vector<std::array<int, 3>> holes_in(std::size_t rigid, std::span<const SoftVessel> vessels) {
+    std::vector<std::array<int, 3>> holes(rigid, {-1, -1, -1});
+    int before = 0;
+    for (const SoftVessel& vessel : vessels) {
+        for (int t = 0; t < vessel.skin.size(); ++t) {
+            const auto hole = [&](std::size_t corner) { return vessel.skin.hole_at(t, corner) < 0 ? -1 : before + vessel.skin.hole_at(t, corner); };
+            holes.push_back({hole(0), hole(1), hole(2)});
+        }
+        before += vessel.skin.holes();
+    }
+    return holes;
+}
+
 }  // namespace scenarios::world

@@ -25,4 +25,7 @@ struct SoftVessel {
 /// These triangles and after them those of all vessels, which learn their numbers.
 std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels);
 
+/// Of the same triangles' corners: the holes that they are about, numbered from vessel to vessel; the `rigid` first have none.
+std::vector<std::array<int, 3>> holes_in(std::size_t rigid, std::span<const SoftVessel> vessels);
+
 }  // namespace scenarios::world

@@ -95,7 +95,7 @@ void World::move(SoftVessel& vessel, double seconds) {
 void World::renew_wall() {
     const std::size_t rigid = vessels_.empty() ? targets_.size() : static_cast<std::size_t>(vessels_.front().first);
     targets_ = with_skins({targets_.begin(), targets_.begin() + static_cast<std::ptrdiff_t>(rigid)}, vessels_);
-    wall_.renew(targets_);
+    wall_.renew(targets_, holes_in(rigid, vessels_));
     wall_is_new_ = true;
 }
 
