@@ -71,6 +71,8 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
         {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"node", 99}}}}}, "/expect/0/node: expected less than"},
         {{{"expect", {{{"is", "tool_moved"}, {"at_most", 1}, {"part", 1}}}}}, "/expect/0/part: expected less than the 1 tool parts"},
         {{{"expect", {{{"is", "knot_differs"}, {"at_most", 0}}}}}, "the key \"knot\" is missing"},
+        {{{"expect", {{{"is", "events"}, {"at_most", 0}}}}}, "the key \"event\" is missing"},
+        {{{"model", "elastic"}}, "/model: goes with \"drill\" alone"},
         {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"model", "elastic"}}}}}, "/expect/0/model: expected that of a variant"},
         {{{"variants", {{{"thread", {{"links", 0}}}}}}}, "/variants/0: makes /thread/links: expected 1 to 5000, found 0"},
         {{{"variants", {1}}}, "/variants: expected a list of up to 20 objects"},
@@ -91,6 +93,7 @@ TEST(HardCaseConditions, EachCanFail) {
     for (const ConditionKind& kind : condition_kinds()) {
         json condition{{"is", kind.name}, {"at_most", 0}, {"factor", 2}};
         if (std::string(kind.name) == "knot_differs") condition["knot"] = "4_1";
+        if (std::string(kind.name) == "events") condition["event"] = "pierced";
         scene["expect"].push_back(condition);
     }
     for (Outcome outcome : examine(parsed(scene))) {
