@@ -31,6 +31,13 @@ double events(const Trace& trace, const Condition& condition) {
         std::count_if(trace.events.begin(), trace.events.end(), [&](const auto& e) { return e.kind == condition.event && is_due(condition, e.t_s); }));
 }
 
+double wall_apart(const Frame& frame, int vessel) {
+    double value = 0;
+    for (std::size_t v = 0; v < frame.off_rest.size(); ++v)
+        if (vessel < 0 || vessel == static_cast<int>(v)) value = std::max(value, frame.off_rest[v]);
+    return value;
+}
+
 template <typename Is>
 double bites(const Trace& trace, Is is) {
     return static_cast<double>(std::count_if(trace.bites.begin(), trace.bites.end(), is));
@@ -72,7 +79,7 @@ const std::vector<ConditionKind>& wall_kinds() {
         {"events", "count", "events of a drill of the kind named", [](S, T t, C c) { return events(t, c); }},
         {"tetrahedron_min", "share", "smallest tetrahedron of a wall, over its volume at rest; below 0 it is turned over",
          [](S, T t, C c) { return smallest_tetrahedron(t, c); }},
-        {"wall_apart", "mm", "farthest node of a wall from where it is at rest", [](S, T t, C c) { return most(t, c, [](const Frame& f) { return f.off_rest; }) / mm; }},
+        {"wall_apart", "mm", "farthest node of a wall from where it is at rest", [](S, T t, C c) { return most(t, c, [&](const Frame& f) { return wall_apart(f, c.vessel); }) / mm; }},
         {"wall_contacts", "count", "nodes of walls that are behind a wall, every tenth tick",
          [](S, T t, C c) { return most(t, c, [](const Frame& f) { return f.wall_contacts; }); }},
         {"bites_open", "count", "bites through both skins in the end", [](S, T t, C) { return bites(t, [](const Bite& b) { return b.state == BiteState::open; }); }},

@@ -88,6 +88,7 @@ struct Condition {
     double to = std::numeric_limits<double>::infinity();  ///< ... to here.
     int node = -1;           ///< Of which node; -1: the one that shows most.
     int tool = 0;
+    int vessel = -1;         ///< Of which; -1: the one that shows most.
     double factor = 1;       ///< Of what is scaled.
     std::string knot;        ///< The name it must have.
     std::string event;       ///< The kind that is counted.

@@ -112,6 +112,7 @@ Shape condition() {
                          {"to_s", seconds()},
                          {"node", node()},
                          {"part", count(0, 99), false, 0},
+                         {"vessel", count(-1, 15), false, -1},
                          {"factor", quantity(1e-6, 1e6), false, 1},
                          {"knot", words()},
                          {"event", words()},

@@ -24,6 +24,7 @@ Condition condition_of(const json& value, const Scene& scene) {
     if (value.contains("to_s")) c.to = value["to_s"];
     if (value.contains("node")) c.node = node_of(value["node"], static_cast<int>(scene.nodes.size()));
     c.tool = value["part"];
+    c.vessel = value["vessel"];
     c.factor = value["factor"];
     c.knot = value.value("knot", "");
     c.event = value.value("event", "");

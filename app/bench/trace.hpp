@@ -25,7 +25,7 @@ struct Frame {
 
     // Of walls that give way, in a drill:
     double smallest_tetrahedron = 1;          ///< Over its volume at rest.
-    double off_rest = 0;                      ///< Of the node that is farthest from there [m].
+    std::vector<double> off_rest = {};        ///< Of each vessel's node that is farthest from there [m].
     Vec3 needle_tip = Vec3::Zero();           ///< [m]
     double off_needle = 0;                    ///< The thread's first node from the needle's tail [m].
     int wall_contacts = 0;                    ///< Every tenth tick ...

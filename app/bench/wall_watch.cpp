@@ -78,7 +78,7 @@ void WallWatch::look(const World& world, Frame& frame) {
     const auto vessels = world.vessels();
     for (std::size_t v = 0; v < vessels.size(); ++v) {
         frame.smallest_tetrahedron = std::min(frame.smallest_tetrahedron, smallest_share(vessels[v], volumes_[v]));
-        frame.off_rest = std::max(frame.off_rest, off_rest(vessels[v]));
+        frame.off_rest.push_back(off_rest(vessels[v]));
     }
     if (world.has_needle()) {
         frame.needle_tip = world.needle().tip();
