@@ -30,9 +30,9 @@ double off_rest(const SoftVessel& vessel) {
     return most;
 }
 
-// Where along the thread it is in a hole: where a link goes through the hole's plane within what the wire left open; -1 where none does.
+// Where along the thread it is in a hole: where a link goes through the hole's plane near what the wire left open; -1 where none does.
 double place_in(const World& world, const tissue::Skin& skin, int hole) {
-    constexpr double corner = 1.1;  // of an octagon, farther out than its sides
+    constexpr double aside = 2;  // radii: a thread that draws the wall along is ahead of it
     const Vec3 centre = skin.centre(hole), up = skin.normal_of_hole(hole);
     const auto nodes = world.thread();
     const auto rest = world.thread_state().rest_lengths();
@@ -41,7 +41,7 @@ double place_in(const World& world, const tissue::Skin& skin, int hole) {
         const double a = up.dot(nodes[k] - centre), b = up.dot(nodes[k + 1] - centre);
         if ((a < 0) == (b < 0) || world.thread_state().is_cut(static_cast<int>(k))) continue;
         const double share = a / (a - b);
-        if ((nodes[k] + share * (nodes[k + 1] - nodes[k]) - centre).norm() < corner * skin.radius(hole)) return before + share * rest[k];
+        if ((nodes[k] + share * (nodes[k + 1] - nodes[k]) - centre).norm() < aside * skin.radius(hole)) return before + share * rest[k];
     }
     return -1;
 }
