@@ -57,8 +57,9 @@ void World::look_for_walls(Tool& tool, const JawRoom& room, int vessel, const st
         constexpr double other_wall = 4;  // looks: no wall that is held is pressed to a quarter
         const bool goes_on = (at_rest(grip.at) - last).norm() < other_wall * look;
         last = at_rest(grip.at);
-        if (!goes_on && tool.walls.size() < tool.walls.capacity()) tool.walls.push_back(grip);
-        else if (goes_on && std::abs(p.x()) < std::abs(tool.walls.back().anchor.x())) tool.walls.back() = grip;
+        if (!goes_on && tool.walls.size() == tool.walls.capacity()) break;
+        if (!goes_on) tool.walls.push_back(grip);
+        else if (std::abs(p.x()) < std::abs(tool.walls.back().anchor.x())) tool.walls.back() = grip;
     }
     double middle = 0;
     for (std::size_t i = first; i < tool.walls.size(); ++i) middle += tool.walls[i].anchor.x() / static_cast<double>(tool.walls.size() - first);
