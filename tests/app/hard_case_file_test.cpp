@@ -8,6 +8,7 @@
 #include "app/bench/stability.hpp"
 #include "app/bench/trace.hpp"
 #include "scenarios/drill/file.hpp"
+#include "scenarios/drill/waypoints.hpp"
 
 namespace {
 
@@ -83,6 +84,23 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
         EXPECT_EQ(said.rfind("small.json:", 0), 0u) << said;
         EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     }
+}
+
+// Someone edits the steps that a person reads, or the motion that is played: either way they no longer say the same.
+TEST(HardCaseDrills, MoveAsTheirWaypointsSay) {
+    const std::filesystem::path made = std::filesystem::path(testing::TempDir()) / "carrel-made.csv";
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(CARREL_HARD_CASES)) {
+        std::filesystem::path file = entry.path();
+        if (file.extension() != ".waypoints") continue;
+        const auto waypoints = scenarios::drill::load_waypoints(file);
+        scenarios::drill::write_motion(made, waypoints.motion, waypoints.instruments);
+        constexpr std::size_t most_bytes = 1 << 20;
+        EXPECT_EQ(scenarios::drill::read_text(made, most_bytes), scenarios::drill::read_text(file.replace_extension(".csv"), most_bytes)) << file;
+        ++count;
+    }
+    EXPECT_GT(count, 0);
+    std::filesystem::remove(made);
 }
 
 // A condition that cannot fail proves nothing. Each kind, asked for less and for more than what it measures, must miss once
