@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct VesselDef {
     double young_modulus = 0.1e6;                           ///< [Pa], and
     double puncture_force = 0.05;                           ///< a needle's tip goes through at this [N].
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
+    std::vector<Vec3> outside;                              ///< Of a wall that gives way and is no tube, from that file: vertices in the world [m] ...
+    std::vector<std::array<int, 3>> triangles;              ///< ... and triangles, of which tissue::make_wall() makes a wall.
 };
 
 struct InstrumentDef {

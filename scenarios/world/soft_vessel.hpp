@@ -6,7 +6,7 @@
 
 namespace scenarios::world {
 
-/// The wall of a tube as a drill has it, in the world frame: cells finest near its cut, or all as fine where both ends are held.
+/// The wall of a vessel as a drill has it, in the world frame: of a tube cells finest near its cut, or all as fine where both ends are held; of a mesh as fine as that.
 tissue::Mesh wall_of(const VesselDef& def);
 
 /// A vessel that gives way.

@@ -153,6 +153,7 @@ class World {
     void hold_thread_on_needle();
     void take_hold(Tool& tool);
     void take_wall(Tool& tool, const JawRoom& room);
+    void look_for_walls(Tool& tool, const JawRoom& room, int vessel, const std::vector<int>& near, double z) const;
     void pull_walls(int vessel);
     bool is_held(int node) const;
     bool slip(Tool& tool, Grasp& grasp);
