@@ -59,6 +59,8 @@ class Skin {
     Vec3 centre(int hole) const { return holes_[index(hole)].centre; }                  ///< [m]
     Vec3 normal_of_hole(int hole) const { return holes_[index(hole)].frame.col(2); }    ///< Unit, out of the wall.
     double radius(int hole) const { return holes_[index(hole)].radius; }                ///< Of what fits through [m].
+    /// The hole that a corner of a triangle goes along with, on its rim or round it; none: -1.
+    int hole_at(int triangle, std::size_t corner) const { return corners_[index(triangle)][corner].hole; }
     int face_of_hole(int hole) const { return holes_[index(hole)].face; }
     /// Of the holes of its side within three radii of a place on a triangle, to where the wall goes along with their rims, the nearest; none: -1.
     int hole_about(int triangle, const Vec3& weights) const;

@@ -25,7 +25,7 @@ def figure(row, name):
 def scene_lines(rows):
     for file in sorted((ROOT / "tests/hard_cases").glob("*.json")):
         scene = json.loads(file.read_text())
-        conditions = {"-" + c["is"].replace("_", "-") for c in scene["expect"]}
+        conditions = {"-" + "-".join(filter(None, (c["is"], c.get("event")))).replace("_", "-") for c in scene["expect"]}
         figures = []
         for row in rows:
             suffix = re.sub(r"-\d+$", "", row["id"].removeprefix(file.stem))

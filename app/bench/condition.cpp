@@ -129,7 +129,7 @@ const std::vector<ConditionKind> along_the_way{
 const std::vector<ConditionKind>& condition_kinds() {
     static const auto all = [] {
         std::vector<ConditionKind> kinds = along_the_way;
-        for (const auto* more : {&shape_kinds(), &energy_kinds(), &twin_kinds()}) kinds.insert(kinds.end(), more->begin(), more->end());
+        for (const auto* more : {&shape_kinds(), &wall_kinds(), &energy_kinds(), &twin_kinds()}) kinds.insert(kinds.end(), more->begin(), more->end());
         return kinds;
     }();
     return all;

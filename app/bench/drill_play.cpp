@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "app/bench/wall_watch.hpp"
 #include "app/play/session.hpp"
 #include "scenarios/drill/motion.hpp"
 
@@ -50,6 +52,15 @@ struct Device {
     }
 };
 
+// With the thread asked for: what the drill does not say is as that has it.
+scenarios::drill::Drill drill_of(const Scene& scene) {
+    scenarios::drill::Drill drill = scenarios::drill::load_drill(scene.drill);
+    if (scene.model.empty()) return drill;
+    auto value = nlohmann::json::parse(drill.text);
+    value["thread"]["model"] = scene.model;
+    return scenarios::drill::parse_drill(value.dump(), scene.drill.string(), scene.drill.parent_path());
+}
+
 // What of the session's worst is of this tick cannot be told apart; each frame carries the worst so far.
 Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before) {
     Frame frame;
@@ -71,7 +82,7 @@ Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before
 }  // namespace
 
 Trace play_drill(const Scene& scene) {
-    const auto drill = scenarios::drill::load_drill(scene.drill);
+    const auto drill = drill_of(scene);
     const auto names = names_of(drill);
     const Motion motion = scenarios::drill::load_motion(drill.motion, names);
     std::vector<ToolInput> inputs(names.size());
@@ -81,6 +92,7 @@ Trace play_drill(const Scene& scene) {
     const auto& world = session.world();
     Trace trace{drill.world.tick_s, drill.world.thread.diameter, {world.thread().begin(), world.thread().end()}, {}, {}, 0, 0};
     trace.rest.assign(world.thread_state().rest_lengths().begin(), world.thread_state().rest_lengths().end());
+    WallWatch watch(world);
     for (int tick = 0; tick < scene.duration / trace.tick; ++tick) {
         const double t = tick * trace.tick;
         const std::uint64_t passed_before = world.measures().pass_throughs;
@@ -91,9 +103,11 @@ Trace play_drill(const Scene& scene) {
         }
         session.tick(inputs);
         trace.frames.push_back(frame_of(world, passed_before));
+        watch.look(world, trace.frames.back());
     }
     trace.hash = world.hash();
     trace.pieces = world.curves();
+    watch.conclude(world, trace);
     for (const auto& event : world.events()) trace.inputs_dropped += event.kind == "input_dropped";
     return trace;
 }

@@ -6,7 +6,8 @@
 namespace app::bench {
 
 bool is_asked_of(const Scene& scene, const Condition& condition) {
-    return condition.model.empty() || (condition.model == "elastic") == scene.thread.elastic.has_value();
+    const std::string model = !scene.drill.empty() ? scene.model : scene.thread.elastic ? "elastic" : "ftl";
+    return condition.model.empty() || condition.model == model;
 }
 
 std::vector<Outcome> examine(const HardCase& hard_case, bool quick) {

@@ -75,7 +75,8 @@ struct Scene {
     std::vector<CutPlan> cuts;   ///< Those of one tick from the last place to the first.
     double break_force = std::numeric_limits<double>::infinity();  ///< [N]
     double tick = 1e-3, duration = 0;  ///< [s]
-    std::filesystem::path drill;       ///< If set, the scene is this drill moved by its own motion.
+    std::filesystem::path drill;       ///< If set, the scene is this drill moved by its own motion ...
+    std::string model;                 ///< ... with this thread instead of its own, unless empty.
 };
 
 /// What is measured and what it must be.
@@ -87,8 +88,10 @@ struct Condition {
     double to = std::numeric_limits<double>::infinity();  ///< ... to here.
     int node = -1;           ///< Of which node; -1: the one that shows most.
     int tool = 0;
+    int vessel = -1;         ///< Of which; -1: the one that shows most.
     double factor = 1;       ///< Of what is scaled.
     std::string knot;        ///< The name it must have.
+    std::string event;       ///< The kind that is counted.
     std::string model;       ///< Asked only of variants with this thread; empty: of all.
     std::string known;       ///< Not empty: misses its bound today, for this reason ...
     std::optional<double> today;  ///< ... and keeps this one meanwhile.

@@ -112,8 +112,10 @@ Shape condition() {
                          {"to_s", seconds()},
                          {"node", node()},
                          {"part", count(0, 99), false, 0},
+                         {"vessel", count(-1, 15), false, -1},
                          {"factor", quantity(1e-6, 1e6), false, 1},
                          {"knot", words()},
+                         {"event", words()},
                          {"model", choice({"ftl", "elastic"})},
                          {"known", words()},
                          {"today", quantity(-1e12, 1e12)}});
@@ -131,6 +133,7 @@ const Shape& hard_case_shape() {
          {"why", words()},
          {"thread", thread()},
          {"drill", words()},
+         {"model", choice({"ftl", "elastic"})},
          {"holds", list(0, 100, hold()), false, json::array()},
          {"tools", list(0, 100, tool_part()), false, json::array()},
          {"tube", tube()},

@@ -24,8 +24,10 @@ Condition condition_of(const json& value, const Scene& scene) {
     if (value.contains("to_s")) c.to = value["to_s"];
     if (value.contains("node")) c.node = node_of(value["node"], static_cast<int>(scene.nodes.size()));
     c.tool = value["part"];
+    c.vessel = value["vessel"];
     c.factor = value["factor"];
     c.knot = value.value("knot", "");
+    c.event = value.value("event", "");
     c.model = value.value("model", "");
     c.known = value.value("known", "");
     if (value.contains("today")) c.today = value["today"];
@@ -36,6 +38,8 @@ Condition condition_of(const json& value, const Scene& scene) {
 void check(const Condition& c, const Scene& scene, const std::string& at) {
     if ((c.is == "knot_differs") == c.knot.empty())
         throw Misfit{at, c.knot.empty() ? "the key \"knot\" is missing: the name it must have" : "\"knot\" goes with \"knot_differs\" alone"};
+    if ((c.is == "events") == c.event.empty())
+        throw Misfit{at, c.event.empty() ? "the key \"event\" is missing: the kind that is counted" : "\"event\" goes with \"events\" alone"};
     if (c.known.empty() == c.today.has_value())
         throw Misfit{at, c.known.empty() ? "\"today\" goes with \"known\" alone" : "the key \"today\" is missing: the bound that holds until then"};
     const bool needs_tool = c.is == "tool_moved";

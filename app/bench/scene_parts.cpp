@@ -173,6 +173,9 @@ Scene scene_of(const json& value, const std::filesystem::path& folder) {
     if (value.contains("drill") == value.contains("thread")) throw Misfit{"", "expected exactly one of the keys \"thread\" and \"drill\""};
     if (value.contains("drill")) {
         scene.drill = folder / value["drill"].get<std::string>();
+        scene.model = value.value("model", "");
+    } else if (value.contains("model")) {
+        throw Misfit{"/model", "goes with \"drill\" alone, expected it in \"thread\""};
     } else {
         const json& thread = value["thread"];
         scene.thread = {mm * thread["radius_mm"].get<double>(), thread["friction"], thread["friction_tool"], thread["axial_stiffness_N"]};

@@ -12,7 +12,7 @@ namespace app::bench {
 
 // The condition's name; numbered from the second on where a scene has it twice, of two times or two nodes.
 static std::string id_of(const HardCase& hard_case, const Condition& condition, std::set<std::string>& taken) {
-    std::string id = hard_case.id + '-' + condition.is + (condition.model == "elastic" ? "-elastic" : "");
+    std::string id = hard_case.id + '-' + condition.is + (condition.event.empty() ? "" : '-' + condition.event) + (condition.model == "elastic" ? "-elastic" : "");
     std::replace(id.begin(), id.end(), '_', '-');
     std::string unique = id;
     for (int i = 2; !taken.insert(unique).second; ++i) unique = id + '-' + std::to_string(i);

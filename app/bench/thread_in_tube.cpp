@@ -89,8 +89,8 @@ double ThreadInTube::draw(bool by_lead, double way, double load) {
         vessel_.skin.update(vessel_.tissue.nodes());
         for (int t = 0; t < vessel_.skin.size(); ++t) targets_[static_cast<std::size_t>(t)] = vessel_.skin[t];
     }
-    thread_.surface_room(rooms_, near_);
-    moved_ = wall_.follow(targets_, rooms_, near_);
+    thread_.surface_room(rooms_, gaps_);
+    moved_ = wall_.follow(targets_, rooms_, gaps_);
     return gone;
 }
 

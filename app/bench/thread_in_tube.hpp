@@ -55,7 +55,7 @@ class ThreadInTube {
     double at_first_;              // its length at rest [m]
     std::vector<int> holes_;       // in the thread's order
     std::vector<double> rooms_;
-    std::vector<sim::thread::SurfaceGap> near_;
+    std::vector<sim::thread::SurfaceGap> gaps_;
     std::vector<Vec3> loads_;
     double moved_ = 0;
     int ticks_ = 0, passes_ = 0;

@@ -80,8 +80,8 @@ Compared patch_stress(Pull pull, double stretch) {
 
 // Symmetric as its load, it is as well short, and held where planes of symmetry meet its ends.
 Compared inflated_radius(const Resolution& resolution, double stretch, double axial) {
-    constexpr double inner = 2e-3, outer = 2.5e-3;
-    const double cell = (outer - inner) / resolution.through, length = 2 * cell;
+    const double inner = 2e-3 * resolution.scale, outer = 2.5e-3 * resolution.scale;
+    const double cell = (outer - inner) / resolution.through, length = 2 * resolution.aspect * cell;
     const Mesh mesh = tube({.diameter = 2 * outer, .wall = outer - inner, .length = length, .around = resolution.around, .through = resolution.through,
                                .near = 2, .near_length = length, .far = 0}, resolution);
     Tissue tissue = newton(mesh);

@@ -16,9 +16,11 @@ Compared patch_stress(Pull pull, double stretch);
 struct Resolution {
     int around = 16, through = 2;
     bool locks = false;
+    double aspect = 1;   ///< Cells' length along the tube over that through the wall.
+    double scale = 1;    ///< All lengths, over what is said below.
 };
 
-/// Inner radius over that at rest of a tube of inner radius 2 and outer 2.5 under pressure, held so that all of it is `axial` times as long;
+/// Inner radius over that at rest of a tube of inner radius 2 mm and outer 2.5 under pressure, held so that all of it is `axial` times as long;
 /// the pressure is such that the radius of an incompressible one grows to `stretch`.
 Compared inflated_radius(const Resolution& resolution, double stretch, double axial);
 

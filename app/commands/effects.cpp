@@ -140,7 +140,7 @@ Effect plastic_set(const Rod& rod) {
 Effect tissue(const Drill& drill) {
     double wall = 0;
     for (const auto& vessel : drill.world.vessels)
-        if (vessel.mesh_file.empty()) wall = wall == 0 ? vessel.wall : std::min(wall, vessel.wall);
+        if (vessel.mesh_file.empty() || vessel.is_soft) wall = wall == 0 ? vessel.wall : std::min(wall, vessel.wall);
     if (wall == 0)
         return {"tissue",       false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate",
                 "costs nothing"};

@@ -30,6 +30,7 @@ std::vector<std::string> missed(const scenarios::drill::Drill& drill) {
 std::vector<std::string> check(const std::string& file) {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
     vessel_meshes(drill.world);
+    with_walls(drill.world);
     if (drill.motion.empty()) return missed(drill);
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);

@@ -6,6 +6,7 @@
 #include "app/fault.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/portable_math.hpp"
+#include "tissue/wall.hpp"
 
 namespace app {
 
@@ -39,7 +40,28 @@ void check_start_is_clear(const scenarios::world::WorldDef& def, const std::stri
                                  std::to_string(i) + " of the drill's /thread/start_mm, expected to start clear of it");
 }
 
+// What is no wall, or takes too long: a step is the slower the more cells there are.
+void check_wall(const scenarios::world::VesselDef& vessel) {
+    constexpr std::size_t most = 1000;  // triangles: 6000 tetrahedra, steps of one to two milliseconds
+    const std::string at = vessel.mesh_file + ": error: ";
+    if (vessel.triangles.size() > most)
+        throw InputFault(at + "has " + std::to_string(vessel.triangles.size()) + " triangles, of a wall that gives way at most " + std::to_string(most) + " are right");
+    if (const auto problem = tissue::make_wall(vessel.outside, vessel.triangles, {.thickness = vessel.wall}).problem) throw InputFault(at + *problem);
+}
+
 }  // namespace
+
+scenarios::world::WorldDef with_walls(scenarios::world::WorldDef def) {
+    for (auto& vessel : def.vessels) {
+        if (!vessel.is_soft || vessel.mesh_file.empty()) continue;
+        const assets::Mesh mesh = mesh_of(vessel, def.thread.diameter);
+        vessel.outside = mesh.vertices;
+        vessel.triangles = mesh.triangles;
+        check_wall(vessel);
+        check_start_is_clear(def, vessel.mesh_file, mesh);
+    }
+    return def;
+}
 
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
     std::vector<assets::Mesh> meshes;
@@ -58,7 +80,7 @@ scenarios::world::World make_world(const scenarios::world::WorldDef& def, const 
         const auto soup = mesh.soup();
         surface.insert(surface.end(), soup.begin(), soup.end());
     }
-    return {def, std::move(surface), start};
+    return {with_walls(def), std::move(surface), start};
 }
 
 }  // namespace app

@@ -12,6 +12,9 @@ namespace app {
 /// Throws assets::AssetError for a bad mesh file, InputFault for one in which the thread would start.
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def);
 
+/// `def` with the outside of vessels that give way and are meshes, read from their files. Throws as vessel_meshes() does, and where no wall can be made of one.
+scenarios::world::WorldDef with_walls(scenarios::world::WorldDef def);
+
 /// A world ready for its first tick, with its tools at `start`.
 scenarios::world::World make_world(const scenarios::world::WorldDef& def, const std::vector<assets::Mesh>& vessels,
                                    std::span<const instruments::ToolInput> start);

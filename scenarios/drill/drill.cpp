@@ -102,10 +102,13 @@ class Reader {
             vessel.young_modulus = 1e6 * entry["young_MPa"].get<double>();
             vessel.start_held = vessel.end_held = false;
             for (const json& end : entry["held"]) (end == "start" ? vessel.start_held : vessel.end_held) = true;
-            if (vessel.is_soft && entry.contains("mesh"))
-                document_.fail("/effects/tissue", "the wall of \"" + vessel.name + "\", a mesh, cannot give way in this version, expected \"rigid\", or a tube");
             if (entry.contains("mesh")) {
-                vessel.mesh_file = (base_ / entry["mesh"]["file"].get<std::string>()).string();
+                const json& mesh = entry["mesh"];
+                if (mesh.contains("wall_mm") != vessel.is_soft)
+                    document_.fail(place + "/mesh", vessel.is_soft ? "the key \"wall_mm\" is missing: how thick the wall is that gives way"
+                                                                   : "\"wall_mm\" is of a wall that gives way, expected none, or \"tissue\": \"elastic\" in effects");
+                vessel.mesh_file = (base_ / mesh["file"].get<std::string>()).string();
+                if (vessel.is_soft) vessel.wall = metres(mesh["wall_mm"]);
             } else {
                 const json& tube = entry["tube"];
                 vessel.diameter = metres(tube["diameter_mm"]);

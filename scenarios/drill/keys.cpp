@@ -116,15 +116,16 @@ Shape vessel() {
                         .pattern = "^[0-9a-f]{64}$",
                         .pattern_words = "64 hex digits, lower case"};
     const Shape mesh =
-        group("A closed triangle mesh written in mm.",
-              {{"file", words("Path from the drill file: .obj, .ply or .stl."), true}, {"sha256", hash, true}});
+        group("A triangle mesh written in mm: all of a rigid vessel's surface, closed; or the outside of one that gives way, closed or open at its ends.",
+              {{"file", words("Path from the drill file: .obj, .ply or .stl."), true}, {"sha256", hash, true},
+               {"wall_mm", quantity("Thickness of a wall that gives way, inwards from the mesh.", 0.02, 5, "mm")}});
     Shape shape =
-        group("A vessel. Rigid, or where effects has tissue a wall that gives way: a tube that is held where clamps hold it, cut where none does.",
+        group("A vessel. Rigid, or where effects has tissue a wall that gives way, held where clamps hold it; a tube is cut where none does.",
               {{"name", name("How goals call it."), true},
                {"tube", tube},
                {"mesh", mesh},
                {"centre_mm", point("Middle of the vessel."), false, json::array({0, 0, 0})},
-               {"axis", list("Direction of a tube, any length but zero.", 3, 3, quantity("Component.", -1000, 1000)),
+               {"axis", list("Direction of a tube, and of a mesh made along x; any length but zero.", 3, 3, quantity("Component.", -1000, 1000)),
                 false, json::array({1, 0, 0})},
                {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
                 json::array({"start", "end"})},

@@ -15,6 +15,7 @@ using sim::geometry::Quat;
 using sim::geometry::Vec3;
 
 constexpr double least_step_s = 0.15;  ///< No step is shorter: a hand needs this long to start and stop.
+constexpr double radians = 3.14159265358979324 / 180;
 
 struct Tool {
     std::string name;
@@ -91,7 +92,26 @@ class Reader {
 
     Vec3 place() {
         const Vec3 p = vector("place in mm");
-        return mirrored_ ? Vec3(p.x(), -p.y(), p.z()) : p;
+        return origin_mm_ + frame_ * (mirrored_ ? Vec3(p.x(), -p.y(), p.z()) : p);
+    }
+
+    // Where places and directions that follow are seen from.
+    void frame() {
+        const Vec3 origin = vector("origin in mm");
+        Eigen::AngleAxisd by(0, Vec3::UnitX());
+        if (more()) {
+            expect("turned");
+            by.angle() = number("degrees", -360, 360) * radians;
+            expect("about");
+            by.axis() = direction();
+        }
+        origin_mm_ = origin, frame_ = by.toRotationMatrix();
+    }
+
+    Vec3 direction() {
+        const Vec3 axis = vector("axis");
+        if (axis.isZero(0)) complain("the axis has no direction, expected one component other than 0");
+        return axis.normalized();
     }
 
     Tool& tool() {
@@ -109,6 +129,8 @@ class Reader {
             orient();
         } else if (verb == "start") {
             start();
+        } else if (verb == "frame") {
+            frame();
         } else if (verb == "mirror") {
             const std::string how = word("y or off");
             if (how != "y" && how != "off") complain("mirror: expected y or off, found \"" + how + "\"");
@@ -129,7 +151,7 @@ class Reader {
         } else if (verb == "wait") {
             pass(number("seconds", 0.001, 600));
         } else {
-            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, turn, jaw, wait or mirror");
+            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, turn, jaw, wait, frame or mirror");
         }
         if (more()) complain("\"" + words_[next_] + "\" is one word too many");
     }
@@ -137,9 +159,9 @@ class Reader {
     void orient() {
         const std::string name = word("a tool's name");
         expect("pointing");
-        const Vec3 pointing = vector("pointing");
+        const Vec3 pointing = frame_ * vector("pointing");
         expect("opening");
-        const Vec3 opening = vector("opening");
+        const Vec3 opening = frame_ * vector("opening");
         if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || pointing.isZero(0) || opening.isZero(0))
             complain("pointing and opening of " + name + " must be two different directions");
         for (Tool& known : tools_)
@@ -184,14 +206,13 @@ class Reader {
 
     // In pieces so short that places between them are off the arc by a thousandth of its radius.
     void turn_about() {
-        constexpr double piece = 5, radians = 3.14159265358979324 / 180;
+        constexpr double piece = 5;
         Tool& turned = tool();
         const double angle = number("degrees", -720, 720);
         expect("about");
-        Vec3 axis = vector("axis");
-        if (axis.isZero(0)) complain("the axis has no direction, expected one component other than 0");
-        axis.normalize();
+        Vec3 axis = direction();
         if (mirrored_) axis = {-axis.x(), axis.y(), -axis.z()};  // and so the other way round
+        axis = frame_ * axis;
         expect("through");
         const Vec3 centre = place();
         expect("in");
@@ -222,6 +243,8 @@ class Reader {
     std::size_t next_ = 0;
     std::vector<Tool> tools_, turned_;
     double time_s_ = 0, speed_mm_s_ = 50;
+    Vec3 origin_mm_ = Vec3::Zero();
+    Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
     bool mirrored_ = false;
 };
 

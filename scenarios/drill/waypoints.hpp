@@ -18,6 +18,7 @@ namespace scenarios::drill {
 ///                                                     a needle is driven
 ///   jaw right 0 in 0.3                               opens or closes
 ///   wait 0.5
+///   frame 0 0 2 turned 90 about 0 0 1                where places and directions of the steps that follow are seen from, as from a vessel
 ///   mirror y                                         from here on y of places is negated, turns are the other way round
 struct Waypoints {
     std::vector<std::string> instruments;  ///< In order of `start`.

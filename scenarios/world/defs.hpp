@@ -44,6 +44,8 @@ struct VesselDef {
     double puncture_force = 0.05;                           ///< a needle's tip goes through at this [N].
     std::vector<std::array<Vec3, 2>> bitten;                ///< From, to [m]: straight ways of a needle through its walls before the scene, in which thread may lie.
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
+    std::vector<Vec3> outside;                              ///< Of a wall that gives way and is no tube, from that file: vertices in the world [m] ...
+    std::vector<std::array<int, 3>> triangles;              ///< ... and triangles, of which tissue::make_wall() makes a wall.
 };
 
 struct InstrumentDef {

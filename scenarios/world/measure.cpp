@@ -61,10 +61,11 @@ void World::measure(const sim::thread::TickReport& report) {
     const auto tension = thread_.tension();
     tension_now_ = *std::max_element(tension.begin(), tension.end());
     if (!is_elastic()) tension_now_ = std::min(tension_now_, most_pull());
-    raise(measures_.tension_max_N, tension_now_, t);
+    raise(measures_.tension_max_N, is_elastic() ? tension_now_ : std::min(tension_now_, def_.thread.break_force), t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
-        if (!tool.grasps.empty() && !tool.stopped)  // by steel or a wall: what it lacks then is no pull on the thread
+        const bool pulls = !tool.grasps.empty() || needle_.holder.tool == static_cast<int>(i);
+        if (pulls && !tool.stopped)  // by steel or a wall: what it lacks then is no pull on the thread
             raise(measures_.lag_max_mm[i], 1e3 * tool.lag(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
     }

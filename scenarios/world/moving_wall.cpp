@@ -12,30 +12,33 @@ static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 static std::array<const Vec3*, 3> corners_of(const Triangle& t) { return {&t.a, &t.b, &t.c}; }
 
 MovingWall::MovingWall(std::vector<Triangle> triangles, double radius) : radius_(radius), tree_(triangles), moved_(std::move(triangles)) {
-    number_corners();
+    number_corners(std::vector<Holes>(moved_.size(), {-1, -1, -1}));
     places_ = targets_;
 }
 
-void MovingWall::number_corners() {
+void MovingWall::number_corners(const std::vector<Holes>& holes) {
     corners_.clear();
     targets_.clear();
+    hole_.clear();
     std::map<std::array<double, 3>, int> known;
-    for (const Triangle& t : moved_) {
+    for (std::size_t t = 0; t < moved_.size(); ++t) {
         auto& mine = corners_.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& p = *corners_of(t)[k];
+            const Vec3& p = *corners_of(moved_[t])[k];
             const auto [found, is_new] = known.try_emplace({p.x(), p.y(), p.z()}, static_cast<int>(targets_.size()));
-            if (is_new) targets_.push_back(p);
+            if (is_new) targets_.push_back(p), hole_.push_back(holes[t][k]);
             mine[k] = found->second;
         }
     }
-    room_.resize(targets_.size()), ways_.resize(targets_.size());
+    room_.resize(targets_.size());
+    ways_.resize(targets_.size());
+    share_.resize(hole_.empty() ? 0 : static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
 }
 
-void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts) {
+void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts, const std::vector<Holes>& holes) {
     const std::vector<Triangle> shown = moved_;
     moved_ = std::move(triangles);
-    number_corners();
+    number_corners(holes);
     places_.resize(targets_.size());
     for (std::size_t t = 0; t < moved_.size(); ++t) {
         const Triangle& whole = shown[at(parts[t].of)];
@@ -53,12 +56,38 @@ void MovingWall::show() {
 }
 
 // A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools may press it.
-double MovingWall::may_near(double width) const {
+double MovingWall::may(double room) const {
     constexpr double share = 0.45, left_at_least = 0.6;
-    return share * std::max(0.0, width - left_at_least * radius_);
+    return share * std::max(0.0, room - left_at_least * radius_);
 }
 
-double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms, std::span<const sim::thread::SurfaceGap> near) {
+void MovingWall::move_holes(std::span<const sim::thread::SurfaceGap> gaps) {
+    std::fill(share_.begin(), share_.end(), 1.0);
+    const auto shorten = [&](std::size_t corner, double way, double most) {
+        if (hole_[corner] >= 0 && way > most) share_[at(hole_[corner])] = std::min(share_[at(hole_[corner])], most / way);
+    };
+    for (std::size_t c = 0; c < ways_.size(); ++c) shorten(c, ways_[c].norm(), may(room_[c]));
+    for (const auto& gap : gaps)
+        for (const int corner : corners_[at(gap.triangle)]) shorten(at(corner), ways_[at(corner)].dot(gap.normal), may(gap.gap));
+    for (std::size_t c = 0; c < ways_.size(); ++c)
+        if (hole_[c] >= 0) ways_[c] *= share_[at(hole_[c])];
+}
+
+// What of a way comes nearer by more than it may is left out; the rest slides.
+void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
+    constexpr int sweeps = 3;  // a corner between links that look different ways; what is left after them shortens its way
+    for (int sweep = 0; sweep <= sweeps; ++sweep)
+        for (const auto& gap : gaps)
+            for (const int corner : corners_[at(gap.triangle)]) {
+                Vec3& way = ways_[at(corner)];
+                const double nearer = way.dot(gap.normal), most = may(gap.gap);
+                if (nearer <= most || hole_[at(corner)] >= 0) continue;
+                if (sweep < sweeps) way -= (nearer - most) * gap.normal;
+                else way *= most / nearer;
+            }
+}
+
+double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms, std::span<const sim::thread::SurfaceGap> gaps) {
     std::fill(room_.begin(), room_.end(), 1e300);
     for (std::size_t t = 0; t < targets.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -66,38 +95,19 @@ double MovingWall::follow(std::span<const Triangle> targets, std::span<const dou
             targets_[corner] = *corners_of(targets[t])[k];
             room_[corner] = std::min(room_[corner], rooms[t]);
         }
-    for (const sim::thread::SurfaceGap& gap : near)
-        for (const int corner : corners_[at(gap.triangle)]) room_[at(corner)] = std::min(room_[at(corner)], std::max(gap.width, radius_));
-    for (std::size_t c = 0; c < places_.size(); ++c) {
-        const Vec3 way = targets_[c] - places_[c];
-        const double far = way.norm(), may = may_near(room_[c]);
-        ways_[c] = far > may ? Vec3(may / far * way) : way;
-    }
-    stop_at(near);
+    for (std::size_t c = 0; c < places_.size(); ++c) ways_[c] = targets_[c] - places_[c];
+    move_holes(gaps);
+    move_rest(gaps);
     double most = 0;
     for (std::size_t c = 0; c < places_.size(); ++c) {
-        places_[c] = ways_[c] == targets_[c] - places_[c] ? targets_[c] : Vec3(places_[c] + ways_[c]);
-        most = std::max(most, ways_[c].norm());
+        const double far = ways_[c].norm(), most_here = may(room_[c]), share = far > most_here ? most_here / far : 1;
+        places_[c] += share * ways_[c];
+        most = std::max(most, share * far);
     }
     if (most == 0) return 0;
     show();
     tree_.move(moved_);
     return most;
-}
-
-// Along the thread, and away from it, corners go on; what several links leave of a way may be little.
-void MovingWall::stop_at(std::span<const sim::thread::SurfaceGap> near) {
-    const auto each = [&](const auto& stop) {
-        for (const sim::thread::SurfaceGap& gap : near)
-            for (const int corner : corners_[at(gap.triangle)]) {
-                Vec3& way = ways_[at(corner)];
-                const double nearer = -way.dot(gap.away), may = may_near(gap.width);
-                if (nearer > may) stop(way, gap.away, nearer, may);
-            }
-    };
-    constexpr int sweeps = 4;
-    for (int i = 0; i < sweeps; ++i) each([](Vec3& way, const Vec3& away, double nearer, double may) { way += (nearer - may) * away; });
-    each([](Vec3& way, const Vec3&, double nearer, double may) { way *= may / nearer; });
 }
 
 }  // namespace scenarios::world

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tissue/tube.hpp"
+#include "tissue/wall.hpp"
 
 namespace scenarios::world {
 
@@ -23,6 +24,7 @@ static Eigen::Matrix3d frame_of(const Vec3& along) {
 }
 
 tissue::Mesh wall_of(const VesselDef& def) {
+    if (!def.triangles.empty()) return tissue::make_wall(def.outside, def.triangles, {.thickness = def.wall}).mesh;
     const bool is_cut = !def.start_held || !def.end_held;
     tissue::TubeDef tube{.diameter = def.diameter, .wall = def.wall, .length = def.length, .cut_angle = is_cut ? def.cut_angle : 90.0};
     tube.near_length = is_cut ? std::min(def.diameter, 0.5 * def.length) : 0.5 * def.length;
@@ -33,7 +35,20 @@ tissue::Mesh wall_of(const VesselDef& def) {
     return wall;
 }
 
+// A clamp takes as much of an end that is no tube's as its wall is thick.
+static std::vector<tissue::Hold> clamps_of_mesh(const VesselDef& def, const tissue::Mesh& wall) {
+    const auto [low, high] = std::minmax_element(wall.nodes.begin(), wall.nodes.end(), [&](const Vec3& a, const Vec3& b) { return def.axis.dot(a) < def.axis.dot(b); });
+    std::vector<tissue::Hold> clamps;
+    for (std::size_t i = 0; i < wall.nodes.size(); ++i) {
+        const Vec3& node = wall.nodes[i];
+        if ((def.start_held && def.axis.dot(node - *low) <= def.wall) || (def.end_held && def.axis.dot(*high - node) <= def.wall))
+            clamps.push_back({static_cast<int>(i), node});
+    }
+    return clamps;
+}
+
 static std::vector<tissue::Hold> clamps_of(const VesselDef& def, const tissue::Mesh& wall) {
+    if (!def.triangles.empty()) return clamps_of_mesh(def, wall);
     std::set<int> held;
     for (const tissue::Face& face : wall.faces)
         if ((face.side == Side::far_end && (def.start_held || def.end_held)) || (face.side == Side::cut && def.start_held && def.end_held))
@@ -85,6 +100,19 @@ std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Trian
         for (int t = 0; t < vessel.skin.size(); ++t) triangles.push_back(vessel.skin[t]);
     }
     return triangles;
+}
+
+std::vector<std::array<int, 3>> holes_in(std::size_t rigid, std::span<const SoftVessel> vessels) {
+    std::vector<std::array<int, 3>> holes(rigid, {-1, -1, -1});
+    int before = 0;
+    for (const SoftVessel& vessel : vessels) {
+        for (int t = 0; t < vessel.skin.size(); ++t) {
+            const auto hole = [&](std::size_t corner) { return vessel.skin.hole_at(t, corner) < 0 ? -1 : before + vessel.skin.hole_at(t, corner); };
+            holes.push_back({hole(0), hole(1), hole(2)});
+        }
+        before += vessel.skin.holes();
+    }
+    return holes;
 }
 
 }  // namespace scenarios::world

@@ -7,7 +7,7 @@
 
 namespace scenarios::world {
 
-/// The wall of a tube as a drill has it, in the world frame: cells finest near its cut, or all as fine where both ends are held.
+/// The wall of a vessel as a drill has it, in the world frame: of a tube cells finest near its cut, or all as fine where both ends are held; of a mesh as fine as that.
 tissue::Mesh wall_of(const VesselDef& def);
 
 /// A vessel that gives way.
@@ -31,5 +31,8 @@ struct SoftVessel {
 
 /// These triangles and after them those of all vessels, which learn their numbers.
 std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels);
+
+/// Of the same triangles' corners: the holes that they are about, numbered from vessel to vessel; the `rigid` first have none.
+std::vector<std::array<int, 3>> holes_in(std::size_t rigid, std::span<const SoftVessel> vessels);
 
 }  // namespace scenarios::world

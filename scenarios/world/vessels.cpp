@@ -90,7 +90,7 @@ void World::renew_wall() {
         vessel.skin.forget_parts();
     }
     targets_ = with_skins({targets_.begin(), targets_.begin() + static_cast<std::ptrdiff_t>(rigid)}, vessels_);
-    wall_.renew(targets_, parts);
+    wall_.renew(targets_, parts, holes_in(rigid, vessels_));
     wall_is_new_ = true;
 }
 
@@ -104,8 +104,8 @@ void World::show_vessels() {
         return;
     }
     rooms_.resize(targets_.size());
-    thread_.surface_room(rooms_, near_);
-    wall_moved_ = wall_.follow(targets_, rooms_, near_);
+    thread_.surface_room(rooms_, gaps_);
+    wall_moved_ = wall_.follow(targets_, rooms_, gaps_);
 }
 
 }  // namespace scenarios::world

@@ -37,30 +37,41 @@ int tetrahedron_at(const tissue::Tissue& wall, const std::vector<int>& near, con
     return -1;
 }
 
+double look_of(const Tool& tool) { return 0.5 * tool.shape.jaw_radius; }  // [m]
+
 }  // namespace
 
-// Closing jaws hold what of a wall is between them in their middle plane: of each look along them the middle of what is in the wall. It comes to
-// lie flat between them, as a strand does.
+// Of one look along the jaws: of each wall between them what is nearest to their middle, for a vessel pinched flat lies in two.
+void World::look_for_walls(Tool& tool, const JawRoom& room, int vessel, const std::vector<int>& near, double z) const {
+    const double look = look_of(tool), low = room.axis_x(room.minus, z), high = room.axis_x(room.plus, z);
+    const int looks = std::max(1, static_cast<int>((high - low) / look));
+    const tissue::Tissue& wall = vessels_[static_cast<std::size_t>(vessel)].tissue;
+    const auto at_rest = [&](const tissue::MaterialPoint& point) { return tissue::position(point, wall.rest(), wall.rest().nodes); };
+    const std::size_t first = tool.walls.size();
+    Vec3 last = Vec3::Constant(1e300);  // where the look before was, at rest
+    for (int k = 0; k < looks; ++k) {
+        const Vec3 p(low + (k + 0.5) * (high - low) / looks, 0, z);
+        WallGrip grip{vessel, {}, p};
+        grip.at.tetrahedron = tetrahedron_at(wall, near, tool.before.pose.position + tool.before.pose.rotation * p, grip.at.weights);
+        if (grip.at.tetrahedron < 0) continue;
+        constexpr double other_wall = 4;  // looks: no wall that is held is pressed to a quarter
+        const bool goes_on = (at_rest(grip.at) - last).norm() < other_wall * look;
+        last = at_rest(grip.at);
+        if (!goes_on && tool.walls.size() == tool.walls.capacity()) break;
+        if (!goes_on) tool.walls.push_back(grip);
+        else if (std::abs(p.x()) < std::abs(tool.walls.back().anchor.x())) tool.walls.back() = grip;
+    }
+    double middle = 0;
+    for (std::size_t i = first; i < tool.walls.size(); ++i) middle += tool.walls[i].anchor.x() / static_cast<double>(tool.walls.size() - first);
+    for (std::size_t i = first; i < tool.walls.size(); ++i) tool.walls[i].anchor.x() -= middle;
+}
+
+// Closing jaws hold what of a wall is between them in their middle plane. It comes to lie flat between them, as a strand does.
 void World::take_wall(Tool& tool, const JawRoom& room) {
-    const double look = 0.5 * tool.shape.jaw_radius;
     for (std::size_t v = 0; v < vessels_.size(); ++v) {
         const std::size_t had = tool.walls.size();
-        const tissue::Tissue& wall = vessels_[v].tissue;
-        const std::vector<int> near = tetrahedra_between(wall, tool);
-        for (double z = -0.5 * look; z > -tool.shape.jaw_length && tool.walls.size() < tool.walls.capacity(); z -= look) {
-            const double low = room.axis_x(room.minus, z), high = room.axis_x(room.plus, z);
-            const int looks = std::max(1, static_cast<int>((high - low) / look));
-            WallGrip nearest{-1, {}, Vec3::Zero()};
-            for (int k = 0; k < looks; ++k) {
-                const Vec3 p(low + (k + 0.5) * (high - low) / looks, 0, z);
-                std::array<double, 4> weights;
-                const int tet = tetrahedron_at(wall, near, tool.before.pose.position + tool.before.pose.rotation * p, weights);
-                if (tet >= 0 && (nearest.vessel < 0 || std::abs(p.x()) < std::abs(nearest.anchor.x()))) nearest = {static_cast<int>(v), {tet, weights}, p};
-            }
-            if (nearest.vessel < 0) continue;
-            nearest.anchor.x() = 0;
-            tool.walls.push_back(nearest);
-        }
+        const std::vector<int> near = tetrahedra_between(vessels_[v].tissue, tool);
+        for (double z = -0.5 * look_of(tool); z > -tool.shape.jaw_length; z -= look_of(tool)) look_for_walls(tool, room, static_cast<int>(v), near, z);
         if (tool.walls.size() > had) log("wall_grasp", tool.def.name + ", " + vessels_[v].name, static_cast<double>(tool.walls.size() - had));
     }
 }

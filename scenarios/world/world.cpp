@@ -58,7 +58,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
         bench_.set_pose(bench_.add_tool(kind), start[i]);
         tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
         tools_.back().grasps.reserve(16);
-        tools_.back().walls.reserve(64);
+        tools_.back().walls.reserve(256);  // two walls at each look along the longest jaws
     }
     for (const VesselDef& vessel : def.vessels) {  // beyond the thread at either end, wherever it lies
         const Vec3 half = (0.5 * vessel.length + def.thread.length) * vessel.axis.normalized();
@@ -75,7 +75,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     holds_.reserve(16 * tools + on_needle);
     capsules_.reserve(instruments::part_count * tools + instruments::needle_parts);
     events_.reserve(1024);
-    near_.reserve(4096);
+    gaps_.reserve(4096);
 }
 
 void World::log(const char* kind, const std::string& what, double value) { events_.push_back({time_s(), kind, what, value}); }

@@ -157,6 +157,7 @@ class World {
     void hold_thread_on_needle();
     void take_hold(Tool& tool);
     void take_wall(Tool& tool, const JawRoom& room);
+    void look_for_walls(Tool& tool, const JawRoom& room, int vessel, const std::vector<int>& near, double z) const;
     void pull_walls(int vessel);
     bool is_held(int node) const;
     bool slip(Tool& tool, Grasp& grasp);
@@ -178,8 +179,8 @@ class World {
     tissue::WallContact wall_contact_;
     MovingWall wall_;                              // of all vessels, the rigid ones first
     std::vector<Triangle> targets_;                // where it should be
-    std::vector<double> rooms_;                    // scratch
-    std::vector<sim::thread::SurfaceGap> near_;    // scratch
+    std::vector<double> rooms_;                    // scratch,
+    std::vector<sim::thread::SurfaceGap> gaps_;    // and this
     bool wall_is_new_ = false;                     // its triangles have other numbers than the thread knows
     double wall_moved_ = 0;                        // since the last tick [m]
     instruments::Bench bench_;

@@ -110,23 +110,23 @@ std::span<const double> Thread::rest_lengths() const { return impl_->state.rest;
 std::span<const double> Thread::tension() const { return impl_->state.tension; }
 std::span<const SurfaceForce> Thread::surface_forces() const { return impl_->state.surface_forces; }
 
-void Thread::surface_room(std::span<double> rooms, std::vector<SurfaceGap>& near) const {
+void Thread::surface_room(std::span<double> rooms, std::vector<SurfaceGap>& gaps) const {
     const State& state = impl_->state;
-    near.clear();
     std::fill(rooms.begin(), rooms.end(), std::max(0.0, state.reach - 2 * state.moved));
+    gaps.clear();
     for (const Contact& c : state.contacts) {
         if (c.against != Against::surface) continue;
+        const double at_least = c.measured - 2 * (state.moved - c.measured_at);
         double& room = rooms[static_cast<std::size_t>(c.other)];
-        const double at_least = std::max(0.0, c.measured - 2 * (state.moved - c.measured_at));
-        if (at_least > c.thickness + closing(state)) {
-            room = std::min(room, at_least);
-            continue;
-        }
         const auto link = static_cast<std::size_t>(c.link);
-        const auto pair = geometry::closest_points(state.nodes[link], state.nodes[link + 1], (*state.input.surface)[c.other]);
-        const double width = std::sqrt(std::max(0.0, pair.distance_squared));
-        if (width > 0) near.push_back({c.other, (pair.on_b - pair.on_a) / width, width});
-        else room = 0;
+        if (at_least < 3 * state.def.radius) {
+            const auto pair = geometry::closest_points(state.nodes[link], state.nodes[link + 1], (*state.input.surface)[c.other]);
+            const double gap = std::sqrt(pair.distance_squared);
+            if (gap > 0) gaps.push_back({c.other, (pair.on_a - pair.on_b) / gap, gap});
+            else room = 0;
+        } else {
+            room = std::min(room, at_least);
+        }
     }
 }
 

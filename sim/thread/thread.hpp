@@ -54,7 +54,7 @@ struct TickInput {
     double seconds = 1e-3;                            ///< How long it takes; elastic only, as are
     std::span<const Vec3> loads = {};                 ///< forces on nodes [N], one each or none.
     double surface_moved = 0;                         ///< How far the surface has gone since the last tick at most [m]; none of it through
-                                                      ///< the thread: within 0.45 of surface_room().
+                                                      ///< the thread: nearer by 0.45 of surface_room() at most.
     int sheathed = 0;                                 ///< So many of the first links touch no surface: a needle that leads them is in the wall.
 };
 
@@ -78,11 +78,11 @@ struct SurfaceForce {
     int link;       ///< That presses.
 };
 
-/// Between a link's middle line and one of the surface's triangles.
+/// How near a link is to one of the surface's triangles.
 struct SurfaceGap {
     int triangle;
-    Vec3 away;      ///< Unit, from the line to the triangle: all of either is on its own side of the gap, for both are convex.
-    double width;   ///< [m]
+    Vec3 normal;    ///< From the triangle's nearest point to the thread's middle line, unit.
+    double gap;     ///< Between the two [m].
 };
 
 /// What cuts leave whole: nodes `first` to `last`, at least two.
@@ -125,9 +125,10 @@ class Thread {
     /// What it did to the surface as the last tick ended: pushes and friction of an elastic thread; by Follow-The-Leader, which has no
     /// forces, what the estimated tensions of the links that meet there pull.
     std::span<const SurfaceForce> surface_forces() const;
-    /// How far each triangle of the last tick's surface is at least from the thread's middle line [m]; never told more than it looked. Of what may touch next `near`
-    /// says which way from the line it is instead, link by link. Allocates only where that must grow.
-    void surface_room(std::span<double> rooms, std::vector<SurfaceGap>& near) const;
+    /// How far each triangle of the last tick's surface is at least from the thread's middle line [m]; never told more than it looked. Where that may be
+    /// less than three radii it says nothing, and `gaps` what each link leaves: where corners of the triangle come nearer by less along the normal, neither
+    /// passes the other. Some 0.2 us a gap.
+    void surface_room(std::span<double> rooms, std::vector<SurfaceGap>& gaps) const;
     double progress(int owner) const;                ///< Share of its motion that a tool made in the last tick.
     std::uint64_t hash() const;                      ///< Of every bit that the next tick depends on.
 

@@ -8,6 +8,7 @@
 #include "app/bench/stability.hpp"
 #include "app/bench/trace.hpp"
 #include "scenarios/drill/file.hpp"
+#include "scenarios/drill/waypoints.hpp"
 
 namespace {
 
@@ -71,6 +72,8 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
         {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"node", 99}}}}}, "/expect/0/node: expected less than"},
         {{{"expect", {{{"is", "tool_moved"}, {"at_most", 1}, {"part", 1}}}}}, "/expect/0/part: expected less than the 1 tool parts"},
         {{{"expect", {{{"is", "knot_differs"}, {"at_most", 0}}}}}, "the key \"knot\" is missing"},
+        {{{"expect", {{{"is", "events"}, {"at_most", 0}}}}}, "the key \"event\" is missing"},
+        {{{"model", "elastic"}}, "/model: goes with \"drill\" alone"},
         {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"model", "elastic"}}}}}, "/expect/0/model: expected that of a variant"},
         {{{"variants", {{{"thread", {{"links", 0}}}}}}}, "/variants/0: makes /thread/links: expected 1 to 5000, found 0"},
         {{{"variants", {1}}}, "/variants: expected a list of up to 20 objects"},
@@ -83,6 +86,23 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
     }
 }
 
+// Someone edits the steps that a person reads, or the motion that is played: either way they no longer say the same.
+TEST(HardCaseDrills, MoveAsTheirWaypointsSay) {
+    const std::filesystem::path made = std::filesystem::path(testing::TempDir()) / "carrel-made.csv";
+    int count = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(CARREL_HARD_CASES)) {
+        std::filesystem::path file = entry.path();
+        if (file.extension() != ".waypoints") continue;
+        const auto waypoints = scenarios::drill::load_waypoints(file);
+        scenarios::drill::write_motion(made, waypoints.motion, waypoints.instruments);
+        constexpr std::size_t most_bytes = 1 << 20;
+        EXPECT_EQ(scenarios::drill::read_text(made, most_bytes), scenarios::drill::read_text(file.replace_extension(".csv"), most_bytes)) << file;
+        ++count;
+    }
+    EXPECT_GT(count, 0);
+    std::filesystem::remove(made);
+}
+
 // A condition that cannot fail proves nothing. Each kind, asked for less and for more than what it measures, must miss once
 // and only once; and be no number that every bound lets pass.
 TEST(HardCaseConditions, EachCanFail) {
@@ -91,6 +111,7 @@ TEST(HardCaseConditions, EachCanFail) {
     for (const ConditionKind& kind : condition_kinds()) {
         json condition{{"is", kind.name}, {"at_most", 0}, {"factor", 2}};
         if (std::string(kind.name) == "knot_differs") condition["knot"] = "4_1";
+        if (std::string(kind.name) == "events") condition["event"] = "pierced";
         scene["expect"].push_back(condition);
     }
     for (Outcome outcome : examine(parsed(scene))) {

@@ -60,6 +60,15 @@ TEST(Material, FillsAndStretchesTubesAsTheoryHasIt) {
     EXPECT_LE(std::abs(app::bench::clamped_force({}, 1.2).error()), 0.05);
 }
 
+// E22: cells a hundred times as long as thick, or as thick as long; vessels of 1 and of 20 mm.
+TEST(Material, FillsTubesOfThinCellsAndOfAnySize) {
+    for (const double aspect : {0.01, 100.0})
+        for (const double scale : {0.2, 4.0}) {
+            SCOPED_TRACE(testing::Message() << aspect << " " << scale);
+            EXPECT_LE(std::abs(app::bench::inflated_radius({.aspect = aspect, .scale = scale}, 1.3, 1).error()), 0.1);
+        }
+}
+
 // Where each tetrahedron keeps its own volume, a wall can hardly bend.
 TEST(Material, DoesNotLock) {
     using app::bench::VesselPull;

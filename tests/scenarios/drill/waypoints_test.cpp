@@ -41,6 +41,17 @@ TEST(Waypoints, AMirrorTurnsTheOtherWayRound) {
     EXPECT_GT(std::abs(plain.y()), 0.1 * mm);
 }
 
+// The same steps, seen from a place turned by a quarter: what they do is moved and turned as a whole.
+TEST(Waypoints, AFrameMovesAndTurnsWhatFollows) {
+    const std::string steps = "tool hand pointing 1 0 -1 opening 0 1 0\ngo hand 1 2 3\nturn hand 40 about 1 0 2 through 0 4 5 in 1\n";
+    const ToolInput plain = at("speed 2000\n" + steps, 9), framed = at("speed 2000\nframe 7 0 2 turned 90 about 0 0 1\n" + steps, 9);
+    const sim::geometry::Quat quarter(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitZ()));
+    EXPECT_LT((framed.pose.position - (Vec3(7, 0, 2) * mm + quarter * plain.pose.position)).norm(), 1e-9 * mm);
+    EXPECT_LT(framed.pose.rotation.angularDistance(quarter * plain.pose.rotation), 1e-9);
+    const ToolInput back = at("frame 7 0 2 turned 90 about 0 0 1\nframe 0 0 0\nspeed 2000\n" + steps, 9);
+    EXPECT_LT((back.pose.position - plain.pose.position).norm(), 1e-9 * mm);
+}
+
 TEST(Waypoints, SaysWhatIsWrongWithATurn) {
     const auto said = [](const std::string& steps) -> std::string {
         try {
@@ -51,6 +62,8 @@ TEST(Waypoints, SaysWhatIsWrongWithATurn) {
         return "";
     };
     EXPECT_EQ(said("turn hand 30 about 0 0 0 through 0 0 0 in 1\n"), "w:3: error: the axis has no direction, expected one component other than 0");
+    EXPECT_EQ(said("frame 0 0 0 turned 90 about 0 0 0\n"), "w:3: error: the axis has no direction, expected one component other than 0");
+    EXPECT_EQ(said("frame 0 0\n"), "w:3: error: expected origin in mm at the end of the line");
     EXPECT_EQ(said("turn hand 30 around 0 0 1 through 0 0 0 in 1\n"), "w:3: error: expected \"about\", found \"around\"");
     EXPECT_EQ(said("turn hand 30 about 0 0 1 through 0 0 0 in 0\n").substr(0, 25), "w:3: error: seconds: expe");
 }
