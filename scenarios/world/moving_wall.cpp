@@ -32,7 +32,7 @@ void MovingWall::number_corners(const std::vector<Holes>& holes) {
     }
     room_.resize(targets_.size());
     ways_.resize(targets_.size());
-    share_.resize(static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
+    share_.resize(hole_.empty() ? 0 : static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
 }
 
 void MovingWall::renew(std::vector<Triangle> triangles, std::vector<Holes> holes) {
