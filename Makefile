@@ -1,6 +1,6 @@
 # Everything a newcomer types. `make demo` and `make test` set up the machine themselves, on Debian.
 JOBS := $(shell nproc)
-DRILL := square-knot
+DRILL := interrupted-stitch
 
 .PHONY: demo test build bench format clean packages
 .DEFAULT_GOAL := build

@@ -164,4 +164,19 @@ TEST(Drills, ASingleBiteIsTakenAndReplayed) {
     expect_replays("single-bite");
 }
 
+// Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; under the sanitizers its beginning.
+TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
+    const Played played = play("interrupted-stitch", sanitized ? "--input " + motion_until("interrupted-stitch", 2).string() : "");
+    EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
+    if (sanitized) return;
+    EXPECT_EQ(played.exit, 0);
+    EXPECT_EQ(played.result["surgical"], "square");
+    EXPECT_EQ(played.result["passed"], true);
+    std::map<std::string, int> count;
+    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    for (const char* kind : {"pierced", "through", "drawn", "cut"}) EXPECT_EQ(count[kind], 2) << kind;
+    EXPECT_EQ(count["needle_grasp"], 4);
+    EXPECT_EQ(count["torn"] + count["break"], 0);
+}
+
 }  // namespace
