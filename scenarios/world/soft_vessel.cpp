@@ -75,7 +75,7 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
     for (const auto& [from, to] : def.bitten) bites.begin_with(from, to, skin);
     skin.forget_parts();
     pulls.assign(static_cast<std::size_t>(skin.holes()), Vec3::Zero());
-    forces.reserve(4096), pulls.reserve(128), strengths.reserve(64);
+    forces.reserve(4096), pulls.reserve(128), mean_pulls.reserve(128), strengths.reserve(64);
 }
 
 // Of a wall with what presses on it [N/m]: twenty times as stiff as a vessel is under a millimetre's pull, so that the wall goes no farther ahead

@@ -23,7 +23,8 @@ struct SoftVessel {
     tissue::Bites bites;
     std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are.
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
-    std::vector<Vec3> pulls;                  ///< Of the thread at each hole, the mean since the last step [N].
+    std::vector<Vec3> pulls;                  ///< Of the thread at each hole, the mean since the last step [N],
+    std::vector<Vec3> mean_pulls;             ///< and over some more.
     std::vector<sim::thread::Strength> strengths;  ///< Of each bite.
     std::string name;
     int first = 0;                            ///< Its triangles' first number in the scene's wall.

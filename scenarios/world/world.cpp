@@ -114,6 +114,7 @@ std::uint64_t World::hash() const {
     if (strength_.pulled_s > 0) add(strength_.pulled_s);
     for (const SoftVessel& vessel : vessels_) {
         for (const Vec3& pull : vessel.pulls) add_place(pull);
+        for (const Vec3& pull : vessel.mean_pulls) add_place(pull);
         for (const sim::thread::Strength& strength : vessel.strengths)
             if (strength.pulled_s > 0) add(strength.pulled_s);
     }

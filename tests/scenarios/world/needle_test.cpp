@@ -104,12 +104,12 @@ TEST(Needle, BendsOnce) {
     double before = 0;
     while (count(world, "needle_bent") == 0 && world.time_s() < 2) {
         before = force();
-        scene.tools[0].pose.position += 10 * mm * 1e-3 * on;
+        scene.tools[0].pose.position += 5 * mm * 1e-3 * on;
         world.tick(scene.tools);
     }
     ASSERT_EQ(count(world, "needle_bent"), 1u);
     EXPECT_LE(before, bears);
-    EXPECT_NEAR(world.events().back().value, bears, 0.05 * bears);  // what a step of 20 um adds to it
+    EXPECT_NEAR(world.events().back().value, bears, 0.05 * bears);  // what a step of 10 um adds to it
     EXPECT_NEAR(bears, 1.414e-3 / 6.30e-3, 1e-3);                   // [N]: pi / 4 x 1.8 GPa x (0.1 mm)^3 over the chord of 7.3 mm
     const Arc there = world.needle();
     for (int t = 0; t < 200; ++t) {
