@@ -13,7 +13,7 @@ struct BiteDef {
     /// 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds caves in at 5 mN: it needs something held against it, or a sharper needle.
     double puncture = 3e-3;
     double friction = 1;           ///< A metre of wire in the wall [N/m]. No source; much more, and a soft free end is drawn along instead of through.
-    double stiffness = 4000;       ///< Of the wall about the wire, across it, and of what friction holds [N/m].
+    double stiffness = 500;        ///< Of the wall about the wire, across it, and of what friction holds [N/m].
     /// Of the dimple that the mesh does not resolve [N/m]. A cone of 10 degrees each side goes in deeper still (Sneddon: 2/pi E / (1 - nu^2) d^2 tan 10, 25 N/m
     /// at 10 mN in 0.1 MPa); stiffer, a quick needle's step of 40 um overshoots the threshold.
     double tip_stiffness = 120;

@@ -50,7 +50,7 @@ void World::judge_sewing() {
     measures_.join.lumen_ratio = join.lumen_ratio;
     measures_.join.leak_ml_min = tissue::in_ml_per_min(join.leak());
     tissue::LapseLimits limits;
-    limits.hole_diameters = 4 * def_.needle.wire / def_.thread.diameter;  // twice as long as the needle made it
+    limits.hole_diameters = 6 * def_.needle.wire / def_.thread.diameter;  // twice as long as it was made
     for (const tissue::Lapse& lapse : tissue::lapses(join, limits)) measures_.join.lapses.push_back({lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.committed});
 }
 

@@ -61,7 +61,7 @@ void World::measure(const sim::thread::TickReport& report) {
     const auto tension = thread_.tension();
     tension_now_ = *std::max_element(tension.begin(), tension.end());
     if (!is_elastic()) tension_now_ = std::min(tension_now_, most_pull());
-    raise(measures_.tension_max_N, is_elastic() ? tension_now_ : std::min(tension_now_, def_.thread.break_force), t);
+    raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
         const bool pulls = !tool.grasps.empty() || needle_.holder.tool == static_cast<int>(i);

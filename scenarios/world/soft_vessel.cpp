@@ -64,9 +64,10 @@ static tissue::Material material_of(const VesselDef& def) {
     return material;
 }
 
-// What the needle opens stays open. A hole hardly wider than the thread would take links only along its axis.
+// What the needle opens stays open. It goes through aslant, at 25 degrees to a wall and more, and so does the thread after it, whose first node
+// follows the needle exactly: that touches no rim. At the wire's own width it jammed there.
 static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
-    return {.puncture = def.puncture_force, .grip = 2, .hole = wire, .axis = def.axis, .wall = def.wall};
+    return {.puncture = def.puncture_force, .grip = 2, .hole = 1.5 * wire, .axis = def.axis, .wall = def.wall};
 }
 
 SoftVessel::SoftVessel(const VesselDef& def, double wire)

@@ -154,7 +154,7 @@ TEST(Drills, ASingleBiteIsTakenAndReplayed) {
     EXPECT_EQ(played.result["passed"], true);
     expect_sound(played.result);
     if (!sanitized) {
-        EXPECT_EQ(played.result["state_hash"], "44f982911a233ecf");
+        EXPECT_EQ(played.result["state_hash"], "9c774da1443386e8");
     }
     std::map<std::string, int> count;
     for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
@@ -164,11 +164,11 @@ TEST(Drills, ASingleBiteIsTakenAndReplayed) {
     expect_replays("single-bite");
 }
 
-// Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; under the sanitizers its beginning.
+// Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; its beginning is single-bite's, which the sanitizers see.
 TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
-    const Played played = play("interrupted-stitch", sanitized ? "--input " + motion_until("interrupted-stitch", 2).string() : "");
+    if (sanitized) GTEST_SKIP();
+    const Played played = play("interrupted-stitch");
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
-    if (sanitized) return;
     EXPECT_EQ(played.exit, 0);
     EXPECT_EQ(played.result["surgical"], "square");
     EXPECT_EQ(played.result["passed"], true);
