@@ -82,7 +82,8 @@ double ThreadInTube::draw(bool by_lead, double way, double load) {
     passes_ += report.pass_throughs;
     const double gone = onwards.dot(thread_.nodes()[static_cast<std::size_t>(held[0])] - at);
     constexpr int turns = 2;  // ticks a step of the tissue
-    for (const auto& pressed : thread_.surface_forces()) vessel_.press(pressed, wall_.tree()[pressed.triangle], 1, 1.0 / turns);
+    for (const auto& pressed : thread_.surface_forces()) vessel_.press(pressed, wall_.tree()[pressed.triangle], 1);
+    vessel_.load(1.0 / turns, def_.is_elastic);
     if (++ticks_ % turns == 0) {
         vessel_.tissue.step({.holds = vessel_.clamps, .forces = vessel_.forces}, turns * tick);
         vessel_.forces.clear();

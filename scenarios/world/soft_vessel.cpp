@@ -76,23 +76,36 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
     for (const auto& [from, to] : def.bitten) bites.begin_with(from, to, skin);
     skin.forget_parts();
     pulls.assign(static_cast<std::size_t>(skin.holes()), Vec3::Zero());
-    forces.reserve(4096), pulls.reserve(128), mean_pulls.reserve(128), strengths.reserve(64);
+    presses.reserve(1024), pressed.reserve(128), forces.reserve(4096), pulls.reserve(128), mean_pulls.reserve(128), strengths.reserve(64);
 }
 
-// Of a wall with what presses on it [N/m]: as much as some 5 mm of 6-0 polypropylene along itself. Thread and wall are stepped in turn; where the thread is
-// much the stiffer of the two, as at a fifth of this, each throws the other to and fro, and a bite pulled to what it bears goes to pieces.
-constexpr double contact_stiffness = 5000;
+// Of a wall with all that presses on it at a hole [N/m]: as much as some 5 mm of 6-0 polypropylene along itself, and twice that where thread cannot stretch.
+// Thread and wall are stepped in turn: where this is too little, as at a fifth, each throws the other to and fro, and a bite pulled to what it bears
+// goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is shared by all places that are pressed at a hole.
+static double stiffness_with(bool elastic) { return elastic ? 5000 : 10000; }
 
-void SoftVessel::press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed, double share) {
-    if (pressed.force.isZero(0)) return;
-    const int triangle = pressed.triangle - first;
-    const Vec3 weights = tissue::weights_in(shown, pressed.at);
-    const tissue::MaterialPoint at = skin.point(triangle, weights);
-    const double size = believed * pressed.force.norm();
-    const Vec3 way = pressed.force.normalized();
-    if (const int hole = skin.hole_about(triangle, weights); hole >= 0) pulls[static_cast<std::size_t>(hole)] += share * size * way;
-    const double left = std::max(0.0, size - contact_stiffness * std::max(0.0, way.dot(tissue.position(at) - pressed.at)));
-    forces.push_back({at, share * left * way, share * contact_stiffness});
+void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geometry::Triangle& shown, double believed) {
+    if (force.force.isZero(0)) return;
+    const int triangle = force.triangle - first;
+    const Vec3 weights = tissue::weights_in(shown, force.at);
+    const double size = force.force.norm();
+    const Vec3 way = force.force / size;
+    const sim::geometry::Triangle now = skin[triangle];
+    const double gone = way.dot(weights.x() * now.a + weights.y() * now.b + weights.z() * now.c - force.at);
+    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, gone});
+}
+
+void SoftVessel::load(double share, bool elastic) {
+    pressed.assign(static_cast<std::size_t>(skin.holes() + 1), 0);
+    const auto all = [&](const Press& press) -> double& { return pressed[static_cast<std::size_t>(press.hole + 1)]; };
+    for (const Press& press : presses) all(press) += press.size;
+    for (const Press& press : presses) {
+        if (press.hole >= 0) pulls[static_cast<std::size_t>(press.hole)] += share * press.size * press.way;
+        const double stiffness = stiffness_with(elastic) * press.size / all(press);
+        const double left = std::max(0.0, press.size - stiffness * std::max(0.0, press.gone));
+        forces.push_back({press.at, share * left * press.way, share * stiffness});
+    }
+    presses.clear();
 }
 
 std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels) {

@@ -10,19 +10,31 @@ namespace scenarios::world {
 /// The wall of a vessel as a drill has it, in the world frame: of a tube cells finest near its cut, or all as fine where both ends are held; of a mesh as fine as that.
 tissue::Mesh wall_of(const VesselDef& def);
 
+/// What a thread presses with at a point of a wall.
+struct Press {
+    tissue::MaterialPoint at;
+    int hole;         ///< That it is about; none: -1.
+    double size;      ///< [N]
+    Vec3 way;         ///< Unit.
+    double gone;      ///< How far along it the wall is from where the thread met it [m].
+};
+
 /// A vessel that gives way.
 struct SoftVessel {
     SoftVessel(const VesselDef& def, double wire);
 
-    /// What the thread presses on one of its triangles, of which `believed` counts, for `share` of the next step. It presses on the wall that it is `shown`: by as
-    /// much as the tissue has gone on from there already it presses less.
-    void press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed, double share);
+    /// What the thread presses on one of its triangles, of which `believed` counts. It presses on the wall that it is `shown`.
+    void press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed);
+    /// All of that acts for `share` of the next step. By as much as the tissue has gone on already from where it was shown it is less. `elastic`: the thread.
+    void load(double share, bool elastic);
 
     tissue::Tissue tissue;
     tissue::Skin skin;
     tissue::Bites bites;
     std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are.
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
+    std::vector<Press> presses;               ///< Of the thread in this tick,
+    std::vector<double> pressed;              ///< and all of them at each hole together, at first those at none [N].
     std::vector<Vec3> pulls;                  ///< Of the thread at each hole, the mean since the last step [N],
     std::vector<Vec3> mean_pulls;             ///< and over some more.
     std::vector<sim::thread::Strength> strengths;  ///< Of each bite.

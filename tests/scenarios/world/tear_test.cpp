@@ -27,7 +27,7 @@ struct Scene {
         end.centre = {-3 * mm, 0, 0};
         end.end_held = false;
         end.is_soft = true;
-        end.young_modulus = 1e6;
+        end.young_modulus = 2e6;  // half as much is drawn out into a tongue of 5 mm before it tears, on which strands lie too
         end.bitten = {{Vec3(-bite, 0, 2.5 * mm), Vec3(-bite, 0, 1 * mm)}};
         def.vessels.push_back(end);
         def.thread.model = model;
