@@ -81,9 +81,12 @@ constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jamm
 // farther than its leader while links keep their length, and by a quarter of that at least: it may come to be pulled.
 double admissible_share(const State& state, const Movers& movers, const Motion& motion) {
     constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
+    constexpr double round_steel = 0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
     double share = 1;
     for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
         share = std::min(share, for_following * state.bound[i] / (std::clamp(state.following[i], 0.25, 1.0) * motion.of_holds));
+    for (std::size_t k = 0; k < state.wraps.size() && motion.of_holds > 0; ++k)
+        if (state.wraps[k].presses) share = std::min(share, round_steel * state.rest[k] / (std::clamp(state.following[k], 0.25, 1.0) * motion.of_holds));
     if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule && movers.include(state.input.capsules[static_cast<std::size_t>(c.other)].owner))
@@ -187,7 +190,10 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
         state.work += work_of_looking;
     }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
-    if (is_at_rest(state, motion)) return false;
+    if (is_at_rest(state, motion)) {
+        state.unfinished.pace = -1;  // what was asked for then is asked for no more
+        return false;
+    }
     // Steps alike, no short one last: each says how the thread goes on in the next.
     const auto step_share = [&] {
         const double left = 1 - progress_of(state, movers), most = admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust);
