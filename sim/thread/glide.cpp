@@ -25,8 +25,6 @@ double depth(const State& state, const Row& row) { return row.target - apart_of(
 
 bool presses(const State& state, const Row& row) { return row.pressed || row.normal_push + depth(state, row) / row.mobility > 0; }
 
-bool goes_on(const Row& row, const Row& next) { return next.against == row.against && next.other == row.other && next.link == row.link + 1; }
-
 // Along a taut stretch of thread all slides or all holds: how much of Coulomb's friction it takes to hold is one number, found by the
 // secant method; more than all of it slides.
 void grip(State& state, Row* first, Row* last) {
@@ -178,6 +176,10 @@ void forget_pushes(State& state) {
 
 }  // namespace
 
+bool has_wraps(const State& state) {
+    return std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return row.glides; });
+}
+
 bool is_on_steel(const State& state) {
     return std::any_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return lies_on_steel(row) && (row.normal_push > 0 || presses(state, row)); });
 }
@@ -197,38 +199,6 @@ double glide(State& state) {
     for (std::size_t i = 0; i < state.unknowns.size(); ++i) push(state, state.unknowns[i], state.unknown[i]);
     for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += state.glided[i];
     return worst;
-}
-
-void remember_wraps(State& state) {
-    std::fill(state.wraps.begin(), state.wraps.end(), Wrap{});
-    for (const Row& row : state.rows)
-        if (lies_on_steel(row) && row.normal_push > 0) state.wraps[at(row.link)] = {row.grip, true};
-}
-
-static void mark_pinched(State& state, const Row& row) {
-    const double near = row.thickness + state.def.radius;
-    const auto pinches = [&](const Row& other) {
-        return other.against == Against::capsule && other.link == row.link && other.distance < near && other.normal.dot(row.normal) < 0;
-    };
-    if (row.against == Against::capsule && row.distance < near && std::any_of(state.rows.begin(), state.rows.end(), pinches)) state.wraps[at(row.link)].pinched = true;
-}
-
-void recall_wraps(State& state) {
-    for (Wrap& wrap : state.wraps) wrap.pinched = false;
-    for (const Row& row : state.rows) mark_pinched(state, row);
-    for (Row& row : state.rows) {
-        const Wrap& wrap = state.wraps[at(row.link)];
-        row.glides = row.against == Against::capsule && !wrap.pinched;
-        row.slip_before = row.grip_before = 0;
-        row.grip = row.glides ? wrap.grip : 0;
-        row.pressed = row.glides && wrap.presses;
-    }
-}
-
-void lie_on_steel(State& state) {
-    aim(state);
-    for (const Row& row : state.rows)
-        if (row.pressed && row.mobility > 0) push_apart(state, row, (row.target - row.distance) / row.mobility * row.normal);
 }
 
 }  // namespace sim::thread

@@ -52,13 +52,13 @@ double relax(State& state, Effort effort) {
         was = overlap;
         overlap = pass(state, resolve_contacts);
     }
-    // What steel and lengths alone leave is met by their own solve.
-    const bool strands_press = std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return !row.glides && row.normal_push > 0; });
-    const int couplings = strands_press || !is_on_steel(state) ? effort.couplings : 0;
+    // What a wrap and lengths alone leave is met by their own solve.
+    const bool others_press = std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return !row.glides && row.normal_push > 0; });
+    const int couplings = others_press || !has_wraps(state) ? effort.couplings : 0;
     double violation = overlap < 1 || stands_still(passes) || couplings == 0 ? settle(state) : overlap;
     for (int i = 1; i <= couplings && violation > 1 && !state.rows.empty(); ++i) {
         state.work += work_of_coupling;
-        if (is_on_steel(state)) solve_lengths(state);  // whose factors coupling goes by
+        if (has_wraps(state)) solve_lengths(state);  // coupling goes by its factors
         aim(state);
         overlap = pass(state, couple);
         if (overlap < 1 || i == couplings) violation = settle(state);

@@ -105,7 +105,7 @@ static void aim_at_nodes(State& state) {
     for (std::size_t r = 0; r + 1 < state.rows.size(); ++r) {
         Row& row = state.rows[r];
         const Row& next = state.rows[r + 1];
-        if (!row.glides || !next.glides || next.other != row.other || next.link != row.link + 1) continue;
+        if (!row.glides || !next.glides || !goes_on(row, next)) continue;
         const Vec3& node = state.nodes[at(next.link)];
         const Capsule &now = state.capsules[at(row.other)], &then = state.capsules_before[at(row.other)];
         const ClosestPair pair = closest_points(node, node, now.a, now.b);

@@ -43,7 +43,7 @@ struct Row {
     Vec3 tangent_push = Vec3::Zero();
     double grip = 0;              ///< Share of Coulomb's friction that a wrap on steel drags with, positive towards the thread's first node ...
     double grip_before = 0, slip_before = 0;  ///< ... and another that was tried, and how far it slid with that [m].
-    bool glides = false;          ///< On steel, not pinched: pushes are found together with lengths.
+    bool glides = false;          ///< Part of a wrap on steel: its pushes are found together with lengths.
     bool pressed = false;         ///< When the last substep ended; until it is known whether it does now.
     double slip = 0;              ///< How far friction that holds has let it slide, when last resolved [m].
 };
@@ -93,7 +93,6 @@ struct Unknown {
 struct Wrap {
     double grip = 0;                ///< As Row::grip.
     bool presses = false;
-    bool pinched = false;           ///< Between parts of tools, in this substep.
 };
 
 /// How far one dares to go, for tools that move together.
@@ -303,12 +302,14 @@ void measure_gaps(State& state, double way);
 /// What is farther off than where it touches by this has no row [m].
 double closing(const State& state);
 
-/// Whether any contact with steel pushes or is about to (glide.cpp).
+/// Whether any row glides, and whether one pushes or is about to (glide.cpp).
+bool has_wraps(const State& state);
 bool is_on_steel(const State& state);
 /// As solve_lengths, with the pushes and the friction of steel: one Newton step of them all, O(n).
 double glide(State& state);
-/// Into State::wraps, and from there to rows: what lies on steel goes on to. Between parts of tools thread is pinched, which is
-/// no matter of tension, and passes do.
+/// Whether the second row is of the same tool part and the next link.
+bool goes_on(const Row& row, const Row& next);
+/// Into State::wraps, and from there to rows: finds what lies along steel as the rows were measured (wraps.cpp).
 void remember_wraps(State& state);
 void recall_wraps(State& state);
 /// What pressed on steel when the last substep ended is laid on it where it has come to: drift goes straight on, steel is round.
