@@ -19,6 +19,11 @@ Arc out_of_tool(const Arc& needle, const Pose& tool) {
     return seen;
 }
 
+double yield_moment(double wire) {
+    constexpr double yield = 1.8e9, quarter_pi = 0.78539816339744831;  // [Pa]
+    return yield * quarter_pi * wire * wire * wire;
+}
+
 std::array<Capsule, needle_parts> parts_of(const Arc& needle) {
     std::array<Capsule, needle_parts> parts;
     const double piece = (needle.length() - needle.wire) / needle_parts;

@@ -22,10 +22,9 @@ double place_on(const Arc& arc, const Vec3& point, double about) {
 
 }  // namespace
 
-Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), shaft_({.stiffness = def.stiffness}), tetrahedra_(rest.tetrahedra), rest_(rest.nodes) {
-    const auto at = [&](int i) -> const Vec3& { return rest.nodes[static_cast<std::size_t>(i)]; };
-    for (const Face& face : rest.faces)
-        if (face.side == Side::cut) cut_.push_back({at(face.nodes[0]), at(face.nodes[1]), at(face.nodes[2])});
+Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), shaft_({.stiffness = def.stiffness}), rest_(rest), outer_(rims(rest, Side::outer)), inner_(rims(rest, Side::inner)) {
+    for (std::size_t f = 0; f < rest.faces.size(); ++f)
+        if (rest.faces[f].side == Side::cut) cut_.push_back(static_cast<int>(f));
     constexpr std::size_t room = 64;
     crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room), pulls_.reserve(room);
 }
@@ -59,7 +58,7 @@ void Bites::settle(Skin& skin) {
         pulls_.push_back(on_wall.norm());
     }
     for (std::size_t i = pulls_.size(); i-- > 0;)
-        if (i < crossings_.size()) pull(crossings_[i].hole, pulls_[i]);
+        if (i < crossings_.size()) pull(crossings_[i].bite, pulls_[i], skin);
     settle_shaft(skin);
     if (touch_.active) settle_touch(skin);
     leave_by_tip();

@@ -1,6 +1,7 @@
 #pragma once
 #include "sim/geometry/arc.hpp"
 #include "tissue/contact.hpp"
+#include "tissue/rim.hpp"
 
 namespace tissue {
 
@@ -45,7 +46,7 @@ struct Bite {
     BiteEnd entry, exit;
     double depth = 0;              ///< Of the wire below the skin at the entry, at the deepest [m].
     double angle_to_wall = 0;      ///< Between needle and skin where the skin was first touched, 0 to a quarter turn [rad].
-    double angle_to_axis = 0;      ///< Between the plane of the needle, where it cuts the skin, and the vessel's axis, 0 to a quarter turn [rad].
+    double angle_to_axis = 0;      ///< Between the plane of the needle, where it cuts the skin, and the vessel's axis, 0 to a quarter turn; of a straight one 0 [rad].
     int pass = 0;                  ///< The same for bites of a needle that did not leave the vessel in between.
     bool on_needle = true;         ///< The needle has not been drawn through yet; after that it is the thread's.
     bool torn = false;             ///< Out to the cut: neither needle nor thread is held by it any more.
@@ -62,7 +63,7 @@ struct BiteEvent {
         back_in,                   ///< The needle goes back, its tip is in the wall again.
         withdrawn,                 ///< It left the way it came.
         drawn,                     ///< All of it is through.
-        torn,                      ///< Out to the cut.
+        torn,                      ///< Out to the cut, which it now opens into.
     } kind;
     int bite;
     double force;                  ///< That pierced a skin or tore it [N].
@@ -84,11 +85,15 @@ class Bites {
     /// What came of it. Opens holes in the skin.
     void settle(Skin& skin);
 
-    /// How much either hole of a bite bears, by the one that is further from the cut [N]; far from any, or in a wall without one, 3 mm's worth.
+    /// How much a bite bears, by its hole that is further from the cut [N]; far from any, or in a wall without one, 3 mm's worth.
     double bears(const Bite& bite) const;
-    /// Told what pulls at a hole, after settle(): the thread's, for the needle's own is known. True from when it has been more than the hole bears: its bite is torn,
-    /// its ends no longer hold anything. What is only pricked does not tear. The wall itself stays as it is: no slit is cut, nothing bleeds but by the count of tears.
-    bool pull(int hole, double force);
+    /// Told what pulls at a bite [N], after settle(): the thread's, for the needle's own is known. True from when it has been more than the bite bears: it is torn,
+    /// the needle is in it no longer, and the skin is slit from its holes to the cut, 0.6 ms, so that thread can leave. What is only pricked does not tear. The
+    /// wall below stays as strong as it is.
+    bool pull(int bite, double force, Skin& skin);
+
+    /// Bites that are there from the start, drawn through: of a straight needle that went from `from` to `to` [m], at each wall on its way. Before the first press().
+    void begin_with(const Vec3& from, const Vec3& to, Skin& skin);
 
     std::span<const Bite> bites() const { return bites_; }
     std::span<const BiteEvent> events() const { return events_; }  ///< Since press().
@@ -136,16 +141,19 @@ class Bites {
     bool is_at_last_hole() const;
     void leave_by_tail();
     void measure(const Skin& skin);
+    Triangle cut_face(int face) const;
     double from_cut(const MaterialPoint& point) const;
+    Vec3 slit(const BiteEnd& end, Skin& skin) const;
+    void slit(const Bite& bite, Skin& skin) const;
     void tear(int bite, double force);
     bool is_entry(std::size_t crossing) const { return crossing % 2 == 0; }
     Bite& of(const Crossing& crossing) { return bites_[static_cast<std::size_t>(crossing.bite)]; }
 
     BiteDef def_;
     CapsuleContact shaft_;
-    std::vector<Tetrahedron> tetrahedra_;
-    std::vector<Vec3> rest_;
-    std::vector<Triangle> cut_;         // at rest
+    Mesh rest_;
+    std::vector<Rim> outer_, inner_;    // of its cut
+    std::vector<int> cut_;              // faces
     Arc needle_;
     std::vector<double> pulls_;         // of the needle at its holes [N]
     bool has_needle_ = false;

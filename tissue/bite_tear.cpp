@@ -7,13 +7,16 @@
 
 namespace tissue {
 
+Triangle Bites::cut_face(int face) const {
+    const auto corner = [&](std::size_t k) -> const Vec3& { return rest_.nodes[static_cast<std::size_t>(rest_.faces[static_cast<std::size_t>(face)].nodes[k])]; };
+    return {corner(0), corner(1), corner(2)};
+}
+
 double Bites::from_cut(const MaterialPoint& point) const {
     constexpr double most = 3e-3;  // [m], to where retention grows with the bite
-    const Tetrahedron& tet = tetrahedra_[static_cast<std::size_t>(point.tetrahedron)];
-    Vec3 at = Vec3::Zero();
-    for (std::size_t k = 0; k < 4; ++k) at += point.weights[k] * rest_[static_cast<std::size_t>(tet[k])];
+    const Vec3 at = position(point, rest_, rest_.nodes);
     double squared = most * most;
-    for (const Triangle& triangle : cut_) squared = std::min(squared, sim::geometry::closest_points(at, at, triangle).distance_squared);
+    for (const int face : cut_) squared = std::min(squared, sim::geometry::closest_points(at, at, cut_face(face)).distance_squared);
     return std::sqrt(squared);
 }
 
@@ -21,14 +24,41 @@ double Bites::bears(const Bite& bite) const {
     return def_.retention * def_.wall * std::max(from_cut(bite.entry.at), bite.exit.hole >= 0 ? from_cut(bite.exit.at) : 0);
 }
 
-bool Bites::pull(int hole, double force) {
-    for (std::size_t i = bites_.size(); i-- > 0;) {
-        const Bite& bite = bites_[i];
-        if (bite.entry.hole != hole && bite.exit.hole != hole) continue;
-        if (!bite.torn && bite.state == BiteState::open && force > bears(bite)) tear(static_cast<int>(i), force);
-        return bites_[i].torn;
+bool Bites::pull(int number, double force, Skin& skin) {
+    const Bite& bite = bites_[static_cast<std::size_t>(number)];
+    if (bite.torn || bite.state != BiteState::open || force <= bears(bite)) return bite.torn;
+    tear(number, force);
+    slit(bite, skin);
+    return true;
+}
+
+// No rim keeps a slit open, and the wall, which is whole below, draws together: twice as wide as the hole.
+constexpr double gapes = 2;
+
+// Straight to the rim of its side. Returns where that is; of a hole that is in no such side, where it is.
+Vec3 Bites::slit(const BiteEnd& end, Skin& skin) const {
+    const Vec3 from = position(end.at, rest_, rest_.nodes);
+    if (end.side != Side::outer && end.side != Side::inner) return from;
+    Vec3 to = from;
+    double least = -1;
+    for (const Rim& rim : end.side == Side::outer ? outer_ : inner_) {
+        const RimPoint point = nearest(rim, rest_, from);
+        if (least < 0 || point.distance < least) least = point.distance, to = position(rim, point.place, rest_.nodes);
     }
-    return false;
+    if (least > 0) skin.slit(skin.face_of_hole(end.hole), from, to, gapes * skin.radius(end.hole));
+    return to;
+}
+
+// Through both skins and, from the end of the one slit to that of the other, through the cut.
+void Bites::slit(const Bite& bite, Skin& skin) const {
+    const Vec3 from = slit(bite.entry, skin), to = slit(bite.exit, skin), middle = 0.5 * (from + to);
+    int nearest_face = -1;
+    double least = 0;
+    for (const int face : cut_) {
+        const double squared = sim::geometry::closest_points(middle, middle, cut_face(face)).distance_squared;
+        if (nearest_face < 0 || squared < least) nearest_face = face, least = squared;
+    }
+    if (nearest_face >= 0) skin.slit(nearest_face, from, to, gapes * def_.hole);
 }
 
 void Bites::tear(int number, double force) {

@@ -100,7 +100,7 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     const bool was_in = tip_is_in_wall();
     Skin::Spot spot;
     if (!was_in) spot = skin.hit(tip_before, needle_.tip(), Skin::Facing::against);
-    if (spot.triangle < 0 && is_in_wall(tetrahedra_, skin.nodes(), needle_.tip()) == was_in) return;
+    if (spot.triangle < 0 && is_in_wall(rest_.tetrahedra, skin.nodes(), needle_.tip()) == was_in) return;
     if (spot.triangle < 0) {
         const int hole = hole_behind_tip(skin);
         if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), 0);

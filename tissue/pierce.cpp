@@ -8,23 +8,23 @@ namespace tissue {
 
 namespace {
 
-constexpr double fade = 3;        // radii from the middle to where the wall no longer goes along
 constexpr double rounding = 1e-9; // of a radius: nearer than this to an edge of the outline is on it
 
 }  // namespace
 
-// Seen along the way that the hole is pierced; edges are numbered counter-clockwise from x.
+// Seen along the way that the hole is pierced; edges are numbered counter-clockwise from x. A slit is one drawn out along x: what of it looks
+// that way is further on.
 struct Skin::Outline {
     Vec3 centre, direction, x, y, up;
-    double radius;
+    double radius, length = 0;
 
     double beyond(std::size_t edge, const Vec3& point) const {  // [m]
-        const double u = x.dot(point - centre), v = y.dot(point - centre), d = std::sqrt(0.5);
+        const double u = x.dot(point - centre) - (edge < 2 || edge == 7 ? length : 0), v = y.dot(point - centre), d = std::sqrt(0.5);
         const std::array<double, 4> half{u, d * (u + v), v, d * (v - u)};
         return (edge < 4 ? half[edge] : -half[edge - 4]) - radius;
     }
     double left_of_ray(std::size_t corner, const Vec3& point) const {  // from the centre through the corner after an edge of that number [m]
-        const double u = x.dot(point - centre), v = y.dot(point - centre), c = std::sqrt(0.5 + 0.5 * std::sqrt(0.5)), s = std::sqrt(0.5 - 0.5 * std::sqrt(0.5));
+        const double u = x.dot(point - centre) - (corner < 2 || corner > 5 ? length : 0), v = y.dot(point - centre), c = std::sqrt(0.5 + 0.5 * std::sqrt(0.5)), s = std::sqrt(0.5 - 0.5 * std::sqrt(0.5));
         const std::array<double, 4> half{c * v - s * u, s * v - c * u, -s * v - c * u, -c * v - s * u};
         return corner < 4 ? half[corner] : -half[corner - 4];
     }
@@ -66,10 +66,10 @@ Skin::Polygon Skin::clipped(const Polygon& all, int face, double tiny, const Hei
 // Each sector beyond its edge is a convex piece that stays. Triangles that only go along are split by the same rays, so that neighbours keep fitting.
 bool Skin::cut(std::size_t i, const Outline& outline) {
     const double tiny = rounding * outline.radius;
-    const Triangle& t = triangles_[i];
+    const Triangle before = triangles_[i];
     const int face = face_[i];
     Polygon whole;
-    whole.add({t.a, corners_[i][0]}), whole.add({t.b, corners_[i][1]}), whole.add({t.c, corners_[i][2]});
+    whole.add({before.a, corners_[i][0]}), whole.add({before.b, corners_[i][1]}), whole.add({before.c, corners_[i][2]});
     const auto area = [&](const Polygon& p, std::size_t k) { return std::abs(outline.direction.dot((p[k - 1].at - p[0].at).cross(p[k].at - p[0].at))); };
     const double no_area = tiny * outline.radius;
     Polygon about = whole;
@@ -84,6 +84,9 @@ bool Skin::cut(std::size_t i, const Outline& outline) {
         piece = clipped(piece, face, tiny, [&](const Vec3& at) { return outline.beyond(edge, at); });
         for (std::size_t k = 2; k < piece.count; ++k) {
             if (area(piece, k) <= no_area) continue;
+            Eigen::Matrix3d weights;
+            weights << weights_in(before, piece[0].at), weights_in(before, piece[k - 1].at), weights_in(before, piece[k].at);
+            parts_.push_back({parts_[i].of, parts_[i].weights * weights});
             triangles_.push_back({piece[0].at, piece[k - 1].at, piece[k].at});
             corners_.push_back({piece[0].corner, piece[k - 1].corner, piece[k].corner});
             face_.push_back(face);
@@ -122,21 +125,36 @@ int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius
     const Vec3 way = steep == 0 ? up : Vec3((steep * up + bend * aslant).normalized());
     const Vec3 x = (hole.frame.col(0) - way.dot(hole.frame.col(0)) * way).normalized();
     const Outline outline{hole.centre, way, x, way.cross(x), up, radius};
-
-    const std::size_t count = triangles_.size();
-    for (std::size_t i = 0; i < count; ++i)
-        if (normal(static_cast<int>(i)).dot(way) * up.dot(way) > 0 && cut(i, outline)) face_[i] = -1;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        if (face_[i] < 0) continue;
-        triangles_[kept] = triangles_[i], corners_[kept] = corners_[i], face_[kept] = face_[i];
-        ++kept;
-    }
-    triangles_.resize(kept), corners_.resize(kept), face_.resize(kept), boxes_.resize(kept);
-    for (std::size_t i = 0; i < kept; ++i) set_box(i);
+    open(outline);
     anchor(holes() - 1, outline);
     update(pierced_at_);
     return holes() - 1;
+}
+
+void Skin::open(const Outline& outline) {
+    ++openings_;
+    const std::size_t count = triangles_.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (normal(static_cast<int>(i)).dot(outline.direction) * outline.up.dot(outline.direction) > 0 && cut(i, outline)) face_[i] = -1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        if (face_[i] < 0) continue;
+        triangles_[kept] = triangles_[i], corners_[kept] = corners_[i], face_[kept] = face_[i], parts_[kept] = parts_[i];
+        ++kept;
+    }
+    triangles_.resize(kept), corners_.resize(kept), face_.resize(kept), parts_.resize(kept), boxes_.resize(kept);
+    for (std::size_t i = 0; i < kept; ++i) set_box(i);
+}
+
+// Cut out of the wall at rest as a hole is. Nothing goes along with it: a rim as long as this is not rigid.
+void Skin::slit(int face, const Vec3& from, const Vec3& to, double radius) {
+    pierced_at_.assign(nodes_.begin(), nodes_.end());
+    update(rest_);
+    const Vec3 up = normal_of_face(face), way = to - from, along = way - way.dot(up) * up;
+    const double length = along.norm();
+    const Vec3 x = length > 0 ? Vec3(along / length) : Vec3((node(face, 1) - node(face, 0)).normalized());
+    open({from, up, x, up.cross(x), up, radius, length});
+    update(pierced_at_);
 }
 
 }  // namespace tissue

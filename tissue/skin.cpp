@@ -28,13 +28,14 @@ Skin::Skin(const Mesh& rest) : faces_(rest.faces), tetrahedron_(faces_.size()), 
             for (std::size_t k = 0; k < 3; ++k) place_in_[found->second][k] = static_cast<int>(std::find(tet.begin(), tet.end(), faces_[found->second].nodes[k]) - tet.begin());
         }
     const std::size_t with_holes = 4 * faces_.size() + 4096;  // a hole adds some thirty
-    triangles_.reserve(with_holes), boxes_.reserve(with_holes), face_.reserve(with_holes), corners_.reserve(with_holes), holes_.reserve(128);
+    triangles_.reserve(with_holes), boxes_.reserve(with_holes), face_.reserve(with_holes), parts_.reserve(with_holes), corners_.reserve(with_holes), holes_.reserve(128);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
         face_.push_back(static_cast<int>(f));
         corners_.push_back({Corner{Vec3::UnitX()}, Corner{Vec3::UnitY()}, Corner{Vec3::UnitZ()}});
     }
     triangles_.resize(faces_.size()), boxes_.resize(faces_.size());
     update(rest.nodes);
+    forget_parts();
 }
 
 Vec3 Skin::at_face(int face, const Vec3& weights) const {
@@ -125,6 +126,23 @@ Skin::Spot Skin::closest(const Vec3& a, const Vec3& b, double reach, const Vec3&
         const auto pair = sim::geometry::closest_points(a, b, t);
         if (!(pair.distance_squared < best.distance * best.distance)) continue;
         best = {i, weights_in(t, pair.on_b), pair.on_b, pair.s, std::sqrt(pair.distance_squared)};
+    }
+    return best;
+}
+
+void Skin::forget_parts() {
+    parts_.clear();
+    for (int i = 0; i < size(); ++i) parts_.push_back({i});
+}
+
+int Skin::hole_about(int triangle, const Vec3& weights) const {
+    const Triangle& t = (*this)[triangle];
+    const Vec3 point = weights.x() * t.a + weights.y() * t.b + weights.z() * t.c;
+    int best = -1;
+    double least = 1;
+    for (int hole = 0; hole < holes(); ++hole) {
+        const double far = (point - centre(hole)).norm() / (fade * radius(hole));
+        if (far < least && side_of_face(face_of_hole(hole)) == side(triangle)) best = hole, least = far;
     }
     return best;
 }

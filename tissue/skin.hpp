@@ -7,6 +7,12 @@ namespace tissue {
 using sim::geometry::Box;
 using sim::geometry::Triangle;
 
+/// A triangle that is part of another one.
+struct Part {
+    int of = 0;
+    Eigen::Matrix3d weights = Eigen::Matrix3d::Identity();  ///< Of that one's corners, a column for each of its own.
+};
+
 /// A wall's surface as others touch it: triangles that move with the wall, with openings where it was pierced. Thread passes through an opening and
 /// rests against its rim by ordinary contact.
 ///
@@ -25,7 +31,14 @@ class Skin {
     /// further aslant than 60 degrees, for what runs along a wall would slit it. Returns its number: 0, 1, 2 ... Cuts what faces `direction`
     /// as the face does, within three radii of its plane. Numbers of triangles change. 0.2 ms, once; allocates only beyond some hundred holes.
     int pierce(int face, const Vec3& point, const Vec3& direction, double radius);
+    /// Opens a strip from `from` to `to` [m], places of the wall at rest next to the plane of this face, as far as that looks the same way: as wide as a hole of
+    /// `radius` [m], and over both ends by as much. It strains with the wall. Numbers of triangles change. 0.2 ms, once.
+    void slit(int face, const Vec3& from, const Vec3& to, double radius);
 
+    int openings() const { return openings_; }                                          ///< Holes and slits so far: triangles keep their numbers in between.
+    /// What each triangle is part of, of those that there were when parts were last forgotten.
+    std::span<const Part> parts() const { return parts_; }
+    void forget_parts();
     int size() const { return static_cast<int>(triangles_.size()); }
     const Triangle& operator[](int triangle) const { return triangles_[index(triangle)]; }
     const Box& box(int triangle) const { return boxes_[index(triangle)]; }
@@ -49,6 +62,8 @@ class Skin {
     /// The hole that a corner of a triangle goes along with, on its rim or round it; none: -1.
     int hole_at(int triangle, std::size_t corner) const { return corners_[index(triangle)][corner].hole; }
     int face_of_hole(int hole) const { return holes_[index(hole)].face; }
+    /// Of the holes of its side within three radii of a place on a triangle, to where the wall goes along with their rims, the nearest; none: -1.
+    int hole_about(int triangle, const Vec3& weights) const;
     MaterialPoint point_of_hole(int hole) const { return point_of_face(face_of_hole(hole), holes_[index(hole)].weights); }
 
     /// A place on the skin.
@@ -69,6 +84,8 @@ class Skin {
     void near(const Box& box, std::vector<int>& found) const;
 
   private:
+    static constexpr double fade = 3;  // radii from a hole's middle to where the wall no longer goes along
+
     struct Corner {
         Vec3 weights;                 // of its face's nodes
         int hole = -1;                // that it goes along with ...
@@ -93,6 +110,7 @@ class Skin {
     template <class Height>
     Polygon clipped(const Polygon& all, int face, double tiny, const Height& height) const;
     bool cut(std::size_t triangle, const Outline& outline);
+    void open(const Outline& outline);
     void anchor(int hole, const Outline& outline);
 
     std::vector<Face> faces_;
@@ -102,8 +120,10 @@ class Skin {
     std::vector<Triangle> triangles_;
     std::vector<Box> boxes_;
     std::vector<int> face_;
+    std::vector<Part> parts_;
     std::vector<std::array<Corner, 3>> corners_;
     std::vector<Hole> holes_;
+    int openings_ = 0;
 };
 
 /// Weights of the corners for the point of a triangle's plane that is below `point`; each a third where the triangle has no area.

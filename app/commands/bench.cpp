@@ -9,6 +9,7 @@
 #include "app/bench/stability.hpp"
 #include "app/bench/ties.hpp"
 #include "app/bench/tissue.hpp"
+#include "app/bench/tissue_thread.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
@@ -37,11 +38,17 @@ bench::Suite speed_vs_error(bool quick, const bench::Progress& progress) {
     return suite;
 }
 
+bench::Suite tissue(bool quick, const bench::Progress& progress) {
+    bench::Suite suite = bench::tissue_suite(quick, progress);
+    bench::add_thread_in_tissue(suite, quick, progress);
+    return suite;
+}
+
 constexpr Known suites[] = {
     {"speed", bench::speed_suite},
     {"speed-vs-error", speed_vs_error},
     {"accuracy", bench::accuracy_suite},
-    {"tissue", bench::tissue_suite},
+    {"tissue", tissue},
     {"stability", stability},
     {"elastic-ties", bench::elastic_ties_suite},
     {"knots", naming},

@@ -42,6 +42,7 @@ struct VesselDef {
     bool is_soft = false;                                   ///< Its wall gives way, with
     double young_modulus = 0.1e6;                           ///< [Pa], and
     double puncture_force = 0.05;                           ///< a needle's tip goes through at this [N].
+    std::vector<std::array<Vec3, 2>> bitten;                ///< From, to [m]: straight ways of a needle through its walls before the scene, in which thread may lie.
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
     std::vector<Vec3> outside;                              ///< Of a wall that gives way and is no tube, from that file: vertices in the world [m] ...
     std::vector<std::array<int, 3>> triangles;              ///< ... and triangles, of which tissue::make_wall() makes a wall.
@@ -64,9 +65,9 @@ struct WorldDef {
 /// One moment worth telling: grasp, release, slip, knot named, input dropped ...
 struct Event {
     double t_s;
-    std::string kind;   ///< "grasp", "release", "slip", "cut", "break", "knot", "input_dropped", "lag", "pass_through".
+    std::string kind;   ///< "grasp", "release", "slip", "cut", "break", "torn", "needle_grasp", "needle_bent", "knot", "input_dropped", "lag", "pass_through".
     std::string what;   ///< e.g. "right", the knot's name, or what pull the thread broke at.
-    double value = 0;   ///< e.g. tension [N] at a slip, place along the thread [mm] at a grasp, a cut or a break.
+    double value = 0;   ///< e.g. force [N] at a slip, a tear or a needle that bends, place along the thread or needle [mm] at a grasp, a cut or a break.
 };
 
 }  // namespace scenarios::world

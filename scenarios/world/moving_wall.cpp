@@ -35,18 +35,17 @@ void MovingWall::number_corners(const std::vector<Holes>& holes) {
     share_.resize(hole_.empty() ? 0 : static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
 }
 
-void MovingWall::renew(std::vector<Triangle> triangles, std::vector<Holes> holes) {
-    const std::vector<Vec3> were = targets_, shown = places_;
-    std::map<std::array<double, 3>, std::size_t> known;
-    for (std::size_t c = 0; c < were.size(); ++c) known[{were[c].x(), were[c].y(), were[c].z()}] = c;
+void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts, const std::vector<Holes>& holes) {
+    const std::vector<Triangle> shown = moved_;
     moved_ = std::move(triangles);
     number_corners(holes);
-    places_.clear();
-    for (const Vec3& target : targets_) {
-        const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - target).squaredNorm() < (b - target).squaredNorm(); };
-        const auto same = known.find({target.x(), target.y(), target.z()});
-        const std::size_t nearest = same != known.end() ? same->second : static_cast<std::size_t>(std::min_element(were.begin(), were.end(), nearer) - were.begin());
-        places_.push_back(target + (shown[nearest] - were[nearest]));
+    places_.resize(targets_.size());
+    for (std::size_t t = 0; t < moved_.size(); ++t) {
+        const Triangle& whole = shown[at(parts[t].of)];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto weights = parts[t].weights.col(static_cast<Eigen::Index>(k));
+            places_[at(corners_[t][k])] = weights.x() * whole.a + weights.y() * whole.b + weights.z() * whole.c;
+        }
     }
     show();
     tree_ = sim::geometry::TriangleTree(moved_);

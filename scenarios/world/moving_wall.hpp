@@ -5,6 +5,7 @@
 
 #include "sim/geometry/triangle_tree.hpp"
 #include "sim/thread/thread.hpp"
+#include "tissue/skin.hpp"
 
 namespace scenarios::world {
 
@@ -22,9 +23,8 @@ class MovingWall {
     /// None has a hole yet. `radius`: of the thread [m].
     MovingWall(std::vector<Triangle> triangles, double radius);
 
-    /// Other triangles in place of these, of which most corners are the same: those are where they were, new ones behind theirs as far as the
-    /// nearest. `holes`: one each. Milliseconds.
-    void renew(std::vector<Triangle> triangles, std::vector<Holes> holes);
+    /// Other triangles in place of these, each a part of one of them: what is left stays where it was shown. `holes`: one each. Milliseconds.
+    void renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts, const std::vector<Holes>& holes);
 
     const sim::geometry::TriangleTree& tree() const { return tree_; }
     int size() const { return tree_.size(); }

@@ -1,7 +1,15 @@
+#include <cstdio>
+
 #include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace scenarios::world {
+
+// Between the jaws' middle plane and the wire: as it should be held, 90.
+static double degrees_to_jaws(const Arc& seen, double along) {
+    const Vec3 wire = seen.tangent(along);
+    return 180 / 3.14159265358979324 * sim::geometry::portable_atan2(std::abs(wire.y()), std::sqrt(wire.x() * wire.x() + wire.z() * wire.z()));
+}
 
 // Closing jaws hold the needle where it passes through their middle plane between them, at whatever angle.
 bool World::take_needle(int number, const JawRoom& room) {
@@ -17,9 +25,12 @@ bool World::take_needle(int number, const JawRoom& room) {
         Vec3 crossing = a + share * (b - a);
         crossing.y() = 0;
         if (!room.holds(crossing, 0)) continue;
-        const Holder holder{number, seen};
+        const double along = from + share * (to - from);
+        const Holder holder{number, seen, along};
         (needle_.holder.tool < 0 ? needle_.holder : needle_.next) = holder;
-        log("needle_grasp", tool.def.name, 1e3 * (from + share * (to - from)));
+        char what[64];
+        std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees_to_jaws(seen, along));
+        log("needle_grasp", what, 1e3 * along);
         return true;
     }
     return false;
@@ -38,6 +49,17 @@ void World::let_needle_go(int number) {
 
 Arc World::needle_led_by(const instruments::Pose& tool) const {
     return needle_.holder.tool < 0 ? needle_.now : instruments::out_of_tool(needle_.holder.seen, tool);
+}
+
+// What walls push and pull at it with is taken to act at its tip: there it bends most about the jaws. Told once.
+void World::watch_needle() {
+    if (needle_.bent || needle_.holder.tool < 0) return;
+    Vec3 force = Vec3::Zero();
+    for (const SoftVessel& vessel : vessels_) force += vessel.bites.force();
+    const double arm = (needle_.now.tip() - needle_.now.at(needle_.holder.along)).norm();
+    if (force.norm() * arm <= instruments::yield_moment(needle_.now.wire)) return;
+    needle_.bent = true;
+    log("needle_bent", tools_[static_cast<std::size_t>(needle_.holder.tool)].def.name, force.norm());
 }
 
 // The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where it is.

@@ -1,5 +1,6 @@
 #pragma once
 #include "scenarios/world/defs.hpp"
+#include "sim/thread/thread.hpp"
 #include "tissue/bite.hpp"
 #include "tissue/skin.hpp"
 #include "tissue/tissue.hpp"
@@ -13,11 +14,18 @@ tissue::Mesh wall_of(const VesselDef& def);
 struct SoftVessel {
     SoftVessel(const VesselDef& def, double wire);
 
+    /// What the thread presses on one of its triangles, of which `believed` counts, for `share` of the next step. It presses on the wall that it is `shown`: by as
+    /// much as the tissue has gone on from there already it presses less.
+    void press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed, double share);
+
     tissue::Tissue tissue;
     tissue::Skin skin;
     tissue::Bites bites;
     std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are.
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
+    std::vector<Vec3> pulls;                  ///< Of the thread at each hole, the mean since the last step [N],
+    std::vector<Vec3> mean_pulls;             ///< and over some more.
+    std::vector<sim::thread::Strength> strengths;  ///< Of each bite.
     std::string name;
     int first = 0;                            ///< Its triangles' first number in the scene's wall.
 };

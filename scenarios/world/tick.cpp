@@ -12,6 +12,7 @@ void World::tick(std::span<const ToolInput> inputs) {
     let_tools_wait();
     let_grasps_slip();
     move_vessels();
+    watch_needle();
     measure(report);
     part_thread();
 }

@@ -20,10 +20,6 @@ static const char* name_of(tissue::BiteEvent::Kind kind) {
     return "";
 }
 
-// Of a wall with what presses on it [N/m]: twenty times as stiff as a vessel is under a millimetre's pull, so that the wall goes no farther ahead
-// of what it is shown to the thread as than a twentieth of its way.
-constexpr double contact_stiffness = 1000;
-
 // By `ftl` a tension is an estimate: no more than the thread, and the jaws that hold it, bear.
 double World::believed_share() const {
     if (is_elastic()) return 1;
@@ -31,20 +27,12 @@ double World::believed_share() const {
     return tension <= most ? 1 : most / tension;
 }
 
-// What the thread does to a vessel between two of its steps counts for as long as it did it. It presses on the wall that it is shown: by as much
-// as the tissue has gone on from there already it presses less.
+// What the thread does to a vessel between two of its steps counts for as long as it did it.
 void World::load_vessels() {
     const double share = 1.0 / static_cast<double>(period(vessels_.size())), believed = believed_share();
     for (const sim::thread::SurfaceForce& pressed : thread_.surface_forces())
-        for (SoftVessel& vessel : vessels_) {
-            const int triangle = pressed.triangle - vessel.first;
-            if (triangle < 0 || triangle >= vessel.skin.size() || pressed.force.isZero(0)) continue;
-            const tissue::MaterialPoint at = vessel.skin.point(triangle, tissue::weights_in(wall_.tree()[pressed.triangle], pressed.at));
-            const double size = believed * pressed.force.norm();
-            const Vec3 way = pressed.force.normalized();
-            const double left = std::max(0.0, size - contact_stiffness * std::max(0.0, way.dot(vessel.tissue.position(at) - pressed.at)));
-            vessel.forces.push_back({at, share * left * way, share * contact_stiffness});
-        }
+        for (SoftVessel& vessel : vessels_)
+            if (vessel.first <= pressed.triangle && pressed.triangle < vessel.first + vessel.skin.size()) vessel.press(pressed, wall_.tree()[pressed.triangle], believed, share);
 }
 
 // Tools push walls out of themselves, but jaws not what is between them.
@@ -77,7 +65,7 @@ void World::move_vessels() {
 }
 
 void World::move(SoftVessel& vessel, double seconds) {
-    const int holes = vessel.skin.holes();
+    const int openings = vessel.skin.openings();
     pull_walls(static_cast<int>(&vessel - vessels_.data()));
     const Arc with_swage = needle_.now.longer(thread_.rest_lengths().front());  // the link that it leads as stiffly as itself
     push_walls(static_cast<int>(&vessel - vessels_.data()));
@@ -87,15 +75,22 @@ void World::move(SoftVessel& vessel, double seconds) {
     vessel.forces.clear();
     vessel.skin.update(vessel.tissue.nodes());
     vessel.bites.settle(vessel.skin);
+    pull_at_bites(vessel, seconds);
     for (const tissue::BiteEvent& event : vessel.bites.events()) log(name_of(event.kind), vessel.name, event.force);
-    if (vessel.skin.holes() > holes) renew_wall();
+    if (vessel.skin.openings() > openings) renew_wall();
 }
 
-// A hole is new: triangles have other numbers, and the thread looks for all of them anew.
+// A hole or a slit is new: triangles have other numbers, and the thread looks for all of them anew.
 void World::renew_wall() {
     const std::size_t rigid = vessels_.empty() ? targets_.size() : static_cast<std::size_t>(vessels_.front().first);
+    std::vector<tissue::Part> parts;
+    for (std::size_t t = 0; t < rigid; ++t) parts.push_back({static_cast<int>(t)});
+    for (SoftVessel& vessel : vessels_) {
+        for (const tissue::Part& part : vessel.skin.parts()) parts.push_back({vessel.first + part.of, part.weights});
+        vessel.skin.forget_parts();
+    }
     targets_ = with_skins({targets_.begin(), targets_.begin() + static_cast<std::ptrdiff_t>(rigid)}, vessels_);
-    wall_.renew(targets_, holes_in(rigid, vessels_));
+    wall_.renew(targets_, parts, holes_in(rigid, vessels_));
     wall_is_new_ = true;
 }
 

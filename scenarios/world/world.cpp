@@ -75,6 +75,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     holds_.reserve(16 * tools + on_needle);
     capsules_.reserve(instruments::part_count * tools + instruments::needle_parts);
     events_.reserve(1024);
+    gaps_.reserve(4096);
 }
 
 void World::log(const char* kind, const std::string& what, double value) { events_.push_back({time_s(), kind, what, value}); }
@@ -106,10 +107,17 @@ std::uint64_t World::hash() const {
     if (has_needle()) {
         for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards}) add_place(*of_needle);
         for (const Holder* holder : {&needle_.holder, &needle_.next}) add(holder->tool);
+        add(needle_.bent);
     }
     for (const Tool& tool : tools_)
         for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
     if (strength_.pulled_s > 0) add(strength_.pulled_s);
+    for (const SoftVessel& vessel : vessels_) {
+        for (const Vec3& pull : vessel.pulls) add_place(pull);
+        for (const Vec3& pull : vessel.mean_pulls) add_place(pull);
+        for (const sim::thread::Strength& strength : vessel.strengths)
+            if (strength.pulled_s > 0) add(strength.pulled_s);
+    }
     return hash;
 }
 

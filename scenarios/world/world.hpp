@@ -57,12 +57,14 @@ struct Tool {
 struct Holder {
     int tool = -1;   ///< None: -1.
     Arc seen = {};   ///< The needle in the tool's frame.
+    double along = 0;  ///< Where the jaws have it, from its tail [m].
 };
 
 /// Goes where its holder goes and stays where it is let go. `next` has closed on it too, and leads it when the other lets go.
 struct Needle {
     Arc before, now;
     Holder holder, next;
+    bool bent = false;  ///< It was pushed harder than its wire bears; it stays as it is here.
 };
 
 /// What the most tied of several pieces of thread is tied to.
@@ -132,6 +134,7 @@ class World {
     void load_vessels();
     void move_vessels();
     void move(SoftVessel& vessel, double seconds);
+    void pull_at_bites(SoftVessel& vessel, double seconds);
     void renew_wall();
     void show_vessels();
     void measure(const sim::thread::TickReport& report);
@@ -149,6 +152,7 @@ class World {
 
     bool take_needle(int number, const JawRoom& room);
     void let_needle_go(int number);
+    void watch_needle();
     Arc needle_led_by(const instruments::Pose& tool) const;
     void hold_thread_on_needle();
     void take_hold(Tool& tool);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {

@@ -149,18 +149,43 @@ TEST(Bites, ArePressedByTheNeedlesSideWithoutAHole) {
     EXPECT_LT(off_rest(scene), 5e-6);
 }
 
+// A straight needle through both walls of a tube, and one that ends in the lumen: as if they had been drawn through before.
+TEST(Bites, AreThereFromTheStart) {
+    Stitching scene({});
+    const TubeDef tube;
+    const double x = 2e-3, out = 0.6 * tube.diameter;
+    scene.bites.begin_with({x, 1e-5, out}, {x, 1e-5, -out}, scene.skin);
+    scene.bites.begin_with({2 * x, 1e-5, out}, {2 * x, 1e-5, 0}, scene.skin);
+    const auto bites = scene.bites.bites();
+    ASSERT_EQ(bites.size(), 3u);
+    EXPECT_EQ(scene.skin.holes(), 6);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Bite& bite = bites[i];
+        EXPECT_EQ(bite.state, BiteState::open);
+        EXPECT_FALSE(bite.on_needle || bite.torn || bite.partial());
+        EXPECT_EQ(bite.both_walls, i < 2);
+        EXPECT_EQ(bite.pass, i < 2 ? 1 : 2);
+        EXPECT_EQ(bite.entry.side, i == 1 ? Side::inner : Side::outer);
+        EXPECT_NEAR(bite.depth, tube.wall, 0.02 * tube.wall);           // sixteen flat sides
+        EXPECT_NEAR(bite.angle_to_wall, EIGEN_PI / 2, 1.01 * EIGEN_PI / 16);  // half of one, and rounding
+        EXPECT_NEAR((scene.skin.centre(bite.entry.hole) - scene.skin.centre(bite.exit.hole)).norm(), tube.wall, 0.05 * tube.wall);
+    }
+    for (int i = 0; i < 10; ++i) scene.go(nullptr);
+    EXPECT_TRUE(scene.bites.events().empty());
+    EXPECT_LT(off_rest(scene), 5e-6);
+}
+
 // E29: at what a hole bears, that much wall and that far from the cut, and once.
 TEST(Bites, TearOutOnce) {
     Stitching scene({});
     Log log;
     swing(scene, down_and_out, -0.1e-3, 3e-3, log);
-    const BiteEnd& entry = scene.bites.bites()[0].entry;
     const double bears = scene.bites.bears(scene.bites.bites()[0]);
     EXPECT_NEAR(bears, 1.35 * (0.5 / 0.4) * (1.53 / 2), 0.05);  // [N], as far from the cut as the needle was aimed
-    EXPECT_FALSE(scene.bites.pull(entry.hole, 0.99 * bears));
+    EXPECT_FALSE(scene.bites.pull(0, 0.99 * bears, scene.skin));
     EXPECT_EQ(scene.bites.holes_on_needle(), 2);
-    EXPECT_TRUE(scene.bites.pull(entry.hole, 1.01 * bears));
-    EXPECT_TRUE(scene.bites.pull(entry.hole, 0));
+    EXPECT_TRUE(scene.bites.pull(0, 1.01 * bears, scene.skin));
+    EXPECT_TRUE(scene.bites.pull(0, 0, scene.skin));
     ASSERT_EQ(scene.bites.events().size(), 1u);
     EXPECT_EQ(scene.bites.events()[0].kind, BiteEvent::torn);
     EXPECT_TRUE(scene.bites.bites()[0].torn);

@@ -90,6 +90,52 @@ TEST(Skin, HasHolesThatOverlap) {
     EXPECT_NEAR(before - area(slab.skin), lost, 1e-9 * lost);
 }
 
+// Wide enough for what tears it from end to end and no wider, whatever is there already, and across neighbours' edges; strained it moves with the wall.
+TEST(Skin, IsSlit) {
+    Slab slab;
+    const Vec3 from(0.63e-3, 1.31e-3, 2 * edge), to(2.2e-3, 1.31e-3, 2 * edge);
+    const double before = area(slab.skin), length = to.x() - from.x();
+    slab.pierce(from.x(), from.y());
+    slab.skin.slit(slab.face(from), from, to, radius);
+    EXPECT_EQ(slab.skin.openings(), 2);
+    EXPECT_EQ(slab.skin.holes(), 1);
+    EXPECT_NEAR(before - area(slab.skin), octagon + 2 * radius * length, 1e-9 * octagon);
+    for (int k = 0; k <= 100; ++k)
+        for (const double across : {-1.01, -0.99, 0.0, 0.99, 1.01}) EXPECT_EQ(slab.is_open(from.x() + k * length / 100, from.y() + across * radius), std::abs(across) < 1) << k << " " << across;
+    std::vector<Vec3> nodes;
+    for (const Vec3& p : slab.mesh.nodes) nodes.emplace_back(1.3 * p.x(), p.y(), p.z());
+    slab.skin.update(nodes);
+    EXPECT_TRUE(slab.is_open(1.3 * to.x(), to.y()));
+    EXPECT_FALSE(slab.is_open(1.3 * to.x() + 1.4 * radius, to.y()));
+    slab.skin.update(slab.mesh.nodes);
+    slab.skin.slit(slab.face(from), from, to, radius);  // again where it is open already
+    EXPECT_NEAR(before - area(slab.skin), octagon + 2 * radius * length, 1e-9 * octagon);
+}
+
+// What of a triangle a hole and slits leave is part of it, also of one that they cut twice.
+TEST(Skin, KnowsWhatItsTrianglesArePartsOf) {
+    Slab slab;
+    std::vector<Triangle> before;
+    for (int i = 0; i < slab.skin.size(); ++i) before.push_back(slab.skin[i]);
+    slab.pierce(1.13e-3, 1.31e-3);
+    slab.skin.slit(slab.face({1.13e-3, 1.31e-3, 2 * edge}), {1.13e-3, 1.31e-3, 2 * edge}, {2.2e-3, 1.4e-3, 2 * edge}, 2 * radius);
+    ASSERT_EQ(slab.skin.parts().size(), static_cast<std::size_t>(slab.skin.size()));
+    int cut = 0;
+    for (int i = 0; i < slab.skin.size(); ++i) {
+        const Part& part = slab.skin.parts()[static_cast<std::size_t>(i)];
+        const Triangle& whole = before[static_cast<std::size_t>(part.of)];
+        Eigen::Matrix3d corners, now;
+        corners << whole.a, whole.b, whole.c;
+        now << slab.skin[i].a, slab.skin[i].b, slab.skin[i].c;
+        EXPECT_LT((corners * part.weights - now).norm(), 1e-9 * radius);  // outlines' rounding
+        EXPECT_GT(part.weights.minCoeff(), -1e-9);
+        cut += part.weights != Eigen::Matrix3d::Identity();
+    }
+    EXPECT_GT(cut, 20);
+    slab.skin.forget_parts();
+    EXPECT_EQ(slab.skin.parts().back().of, slab.skin.size() - 1);
+}
+
 // Half of it beyond the edge of the slab; the side that is seen edge on stays.
 TEST(Skin, HasAHoleOnItsRim) {
     Slab slab;

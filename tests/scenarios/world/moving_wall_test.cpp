@@ -89,6 +89,16 @@ TEST_P(MovingWallTest, TakesAFreeThreadAlong) {
     EXPECT_EQ(scene.passes, 0);
 }
 
+// However deep a taut thread is pressed into it: what goes away, or along it, needs no room.
+TEST_P(MovingWallTest, LeavesATautOneAtOnce) {
+    Scene scene(GetParam());
+    for (int t = 0; t < 30 && scene.height() >= 1; ++t) scene.step(-0.5 * mm + 100 * mm * tick * t, true);
+    ASSERT_LT(scene.height(), 1);
+    for (int t = 0; t < 30; ++t) scene.step(-0.5 * mm, true);
+    EXPECT_GT(scene.height(), 2);
+    EXPECT_EQ(scene.passes, 0);
+}
+
 TEST_P(MovingWallTest, StopsAtATautOne) {
     Scene scene(GetParam());
     for (int t = 0; t < 400; ++t) {
@@ -102,6 +112,30 @@ TEST_P(MovingWallTest, StopsAtATautOne) {
     double up = 0;  // the wall pushes, so the thread pushes back
     for (const auto& force : scene.thread.surface_forces()) up += force.force.z();
     EXPECT_LE(up, 0);
+}
+
+// Some way behind, one of its triangles is split and another one taken out: what is left of what is shown is where it was, and goes on from there.
+TEST(MovingWall, StaysWhereItIsShownWhenItIsRenewed) {
+    MovingWall wall(plate(0), 0.1 * mm);
+    const std::vector<double> rooms(static_cast<std::size_t>(wall.size()), 0.2 * mm);
+    wall.follow(plate(1 * mm), rooms, {});
+    const std::vector<Triangle> shown = wall.tree().triangles(), target = plate(1 * mm);
+    const Vec3 inside(0.2, 0.3, 0.5);
+    std::vector<Triangle> left;
+    std::vector<tissue::Part> parts;
+    for (int t = 2; t < static_cast<int>(target.size()); ++t) left.push_back(target[static_cast<std::size_t>(t)]), parts.push_back({t});
+    const auto within = [&](const Triangle& t) -> Vec3 { return inside.x() * t.a + inside.y() * t.b + inside.z() * t.c; };
+    Eigen::Matrix3d weights = Eigen::Matrix3d::Identity();
+    weights.col(2) = inside;
+    left.push_back({target[1].a, target[1].b, within(target[1])}), parts.push_back({1, weights});
+    wall.renew(left, parts, std::vector<MovingWall::Holes>(parts.size(), {-1, -1, -1}));
+    ASSERT_EQ(wall.size(), static_cast<int>(shown.size()) - 1);
+    for (int t = 0; t + 1 < wall.size(); ++t)
+        for (const auto& corner : {&Triangle::a, &Triangle::b, &Triangle::c}) EXPECT_LE((wall.tree()[t].*corner - shown[static_cast<std::size_t>(t + 2)].*corner).norm(), 1e-15);  // rounding
+    EXPECT_LE((wall.tree()[wall.size() - 1].c - within(shown[1])).norm(), 1e-15);
+    const std::vector<double> wide(static_cast<std::size_t>(wall.size()), 1);
+    wall.follow(left, wide, {});
+    EXPECT_LE((wall.tree()[wall.size() - 1].c - left.back().c).norm(), 1e-15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MovingWallTest, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });

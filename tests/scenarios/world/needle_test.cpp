@@ -69,6 +69,57 @@ TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
+TEST(Needle, TellsAtWhatAngleItIsHeld) {
+    for (const double aslant : {0.0, 30.0}) {
+        Scene scene;
+        const auto half = sim::geometry::portable_sin_cos(aslant / 360 * 3.14159265358979);
+        auto& rotation = scene.tools[0].pose.rotation;
+        const Vec3 at = scene.tools[0].pose.position;
+        rotation = rotation * sim::geometry::Quat(half.cos, 0, 0, half.sin);  // about its own axis
+        scene.tools[0].pose.position = at;
+        World world(scene.def, {}, scene.tools);
+        for (int t = 0; t < 10; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
+        ASSERT_EQ(count(world, "needle_grasp"), 1u);
+        EXPECT_EQ(world.events().back().what, aslant == 0 ? "right at 90 degrees" : "right at 60 degrees");
+    }
+}
+
+// Pushed tip first against a wall that it cannot pierce: once it is pushed harder than steel of its wire bears that far from the jaws.
+TEST(Needle, BendsOnce) {
+    Scene scene;
+    const Vec3 on = scene.def.needle.tangent(scene.def.needle.length());
+    scenarios::world::VesselDef wall;
+    wall.axis = Vec3::UnitY();
+    wall.length = 8 * mm;
+    wall.centre = scene.def.needle.tip() + (0.5 * wall.diameter + 0.2 * mm) * on;
+    wall.is_soft = true;
+    wall.young_modulus = 2e6;
+    wall.puncture_force = 100;
+    scene.def.vessels = {wall};
+    scene.tools[1].pose.position.y() -= 40 * mm;
+    World world(scene.def, {}, scene.tools);
+    const auto force = [&] { return world.vessels()[0].bites.force().norm(); };
+    for (int t = 0; t < 5; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
+    const double arm = (scene.def.needle.tip() - scene.def.needle.at(2 * mm)).norm(), bears = instruments::yield_moment(0.1 * mm) / arm;
+    double before = 0;
+    while (count(world, "needle_bent") == 0 && world.time_s() < 2) {
+        before = force();
+        scene.tools[0].pose.position += 5 * mm * 1e-3 * on;
+        world.tick(scene.tools);
+    }
+    ASSERT_EQ(count(world, "needle_bent"), 1u);
+    EXPECT_LE(before, bears);
+    EXPECT_NEAR(world.events().back().value, bears, 0.05 * bears);  // what a step of 10 um adds to it
+    EXPECT_NEAR(bears, 1.414e-3 / 6.30e-3, 1e-3);                   // [N]: pi / 4 x 1.8 GPa x (0.1 mm)^3 over the chord of 7.3 mm
+    const Arc there = world.needle();
+    for (int t = 0; t < 200; ++t) {
+        scene.tools[0].pose.position += 10 * mm * 1e-3 * on;
+        world.tick(scene.tools);
+    }
+    EXPECT_EQ(count(world, "needle_bent"), 1u);
+    EXPECT_NEAR((world.needle().tip() - there.tip()).norm(), 2 * mm, 0.05 * mm) << "it stays as it is";
+}
+
 TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
     Scene scene;
     World world(scene.def, {}, scene.tools);

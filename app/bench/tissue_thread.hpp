@@ -1,0 +1,10 @@
+#pragma once
+#include "app/bench/row.hpp"
+
+namespace app::bench {
+
+/// 6-0 thread through the walls of a clamped tube (T30): 100 mm of it drawn through 1, 2 and 10 bites and back, by `ftl` and elastic; friction against Euler and Eytelwein's law; 100 times
+/// to and fro (E19). Cost: a minute or two; `quick` leaves out ten bites.
+void add_thread_in_tissue(Suite& suite, bool quick, const Progress& progress);
+
+}  // namespace app::bench
