@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "sim/thread/state.hpp"
 
@@ -11,8 +12,6 @@ namespace sim::thread {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-bool lies_on_steel(const Row& row) { return row.glides && row.mobility > 0; }
 
 // Along the thread and the steel, towards its last node.
 Vec3 tangent(const State& state, const Row& row) {
@@ -27,10 +26,10 @@ bool presses(const State& state, const Row& row) { return row.pressed || row.nor
 
 // Along a taut stretch of thread all slides or all holds: how much of Coulomb's friction it takes to hold is one number, found by the
 // secant method; more than all of it slides.
-void grip(State& state, Row* first, Row* last) {
+void grip(State& state, std::span<Row* const> stretch) {
     const double still = 1e-3 * state.def.radius;
     double pushes = 0, slip = 0, grip = 0, slip_before = 0, grip_before = 0;
-    for (Row* row = first; row != last; ++row) {
+    for (Row* row : stretch) {
         const double push = std::max(0.0, row->normal_push);
         pushes += push;
         slip += push * slip_of(*row, apart_of(state, *row)).dot(tangent(state, *row));
@@ -42,7 +41,7 @@ void grip(State& state, Row* first, Row* last) {
     const double more_grip = (grip - grip_before) / pushes, more_slip = (slip - slip_before) / pushes;
     const double secant = grip / pushes - slip / pushes * more_grip / more_slip;
     const double next = more_grip * more_slip < 0 ? std::clamp(secant, -1.0, 1.0) : std::copysign(1.0, slip);
-    for (Row* row = first; row != last; ++row) {
+    for (Row* row : stretch) {
         row->slip_before = slip / pushes;
         row->grip_before = grip / pushes;
         row->grip = next;
@@ -50,13 +49,13 @@ void grip(State& state, Row* first, Row* last) {
 }
 
 void grip_stretches(State& state) {
-    Row* const end = state.rows.data() + state.rows.size();
-    const auto is_part = [&](const Row& row) { return lies_on_steel(row) && presses(state, row); };
-    for (Row* first = state.rows.data(); first != end;) {
-        Row* last = first + 1;
+    const auto end = state.on_steel.end();
+    const auto is_part = [&](const Row* row) { return row->mobility > 0 && presses(state, *row); };
+    for (auto first = state.on_steel.begin(); first != end;) {
+        auto last = first + 1;
         if (is_part(*first)) {
-            while (last != end && goes_on(last[-1], *last) && is_part(*last)) ++last;
-            grip(state, first, last);
+            while (last != end && goes_on(*last[-1], **last) && is_part(*last)) ++last;
+            grip(state, {first, last});
         }
         first = last;
     }
@@ -103,6 +102,7 @@ Vec3 push_across(const State& state, const Row& row, const Vec3& along) {
 
 void add_contact(State& state, Row& row) {
     constexpr double compliance = 1e-2;  // beside a diagonal of 1: contacts that nearly say the same do not work against each other
+    if (row.mobility == 0) return;
     const bool is_on = presses(state, row);
     row.pressed = false;
     if (!is_on) return change_push(state, row, 0, Vec3::Zero());
@@ -123,15 +123,11 @@ void add_length(State& state, int link) {
 double collect(State& state) {
     state.unknowns.clear();
     state.unknown.clear();
-    state.on_steel.clear();
-    for (Row& row : state.rows)
-        if (lies_on_steel(row)) state.on_steel.push_back(&row);
-    std::sort(state.on_steel.begin(), state.on_steel.end(), [](const Row* a, const Row* b) { return a->link != b->link ? a->link < b->link : a < b; });
     const double worst = measure_links(state);
     auto row = state.on_steel.begin();
     for (int k = 0; k < state.links(); ++k) {
         add_length(state, k);
-        for (; row != state.on_steel.end() && (*row)->link == k; ++row) add_contact(state, **row);
+        if (row != state.on_steel.end() && (*row)->link == k) add_contact(state, **row++);
     }
     return worst;
 }
@@ -176,12 +172,9 @@ void forget_pushes(State& state) {
 
 }  // namespace
 
-bool has_wraps(const State& state) {
-    return std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return row.glides; });
-}
-
 bool is_on_steel(const State& state) {
-    return std::any_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return lies_on_steel(row) && (row.normal_push > 0 || presses(state, row)); });
+    return std::any_of(state.on_steel.begin(), state.on_steel.end(),
+                       [&](const Row* row) { return row->mobility > 0 && (row->normal_push > 0 || presses(state, *row)); });
 }
 
 double glide(State& state) {

@@ -54,11 +54,11 @@ double relax(State& state, Effort effort) {
     }
     // What a wrap and lengths alone leave is met by their own solve.
     const bool others_press = std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return !row.glides && row.normal_push > 0; });
-    const int couplings = others_press || !has_wraps(state) ? effort.couplings : 0;
+    const int couplings = others_press || state.on_steel.empty() ? effort.couplings : 0;
     double violation = overlap < 1 || stands_still(passes) || couplings == 0 ? settle(state) : overlap;
     for (int i = 1; i <= couplings && violation > 1 && !state.rows.empty(); ++i) {
         state.work += work_of_coupling;
-        if (has_wraps(state)) solve_lengths(state);  // coupling goes by its factors
+        if (!state.on_steel.empty()) solve_lengths(state);  // coupling goes by its factors
         aim(state);
         overlap = pass(state, couple);
         if (overlap < 1 || i == couplings) violation = settle(state);

@@ -102,10 +102,10 @@ static void aim_at(const State& state, Row& row, const ClosestPair& pair) {
 // the two together lie right.
 static void aim_at_nodes(State& state) {
     const double fine = 0.1 * state.def.radius;
-    for (std::size_t r = 0; r + 1 < state.rows.size(); ++r) {
-        Row& row = state.rows[r];
-        const Row& next = state.rows[r + 1];
-        if (!row.glides || !next.glides || !goes_on(row, next)) continue;
+    for (std::size_t r = 0; r + 1 < state.on_steel.size(); ++r) {
+        Row& row = *state.on_steel[r];
+        const Row& next = *state.on_steel[r + 1];
+        if (!goes_on(row, next)) continue;
         const Vec3& node = state.nodes[at(next.link)];
         const Capsule &now = state.capsules[at(row.other)], &then = state.capsules_before[at(row.other)];
         const ClosestPair pair = closest_points(node, node, now.a, now.b);
@@ -143,7 +143,7 @@ double aim(State& state) {
         }
         worst = std::max(worst, over_limit(state, row));
     }
-    if (!state.rod) aim_at_nodes(state);
+    aim_at_nodes(state);
     return worst;
 }
 

@@ -163,7 +163,8 @@ struct State {
     std::vector<Vec3> before;          ///< Nodes when the substep began.
     std::vector<double> bound;         ///< How far each node may move in this substep [m].
     std::vector<Capsule> capsules, capsules_before;
-    std::vector<Row> rows;             ///< Contacts that can touch in this substep.
+    std::vector<Row> rows;             ///< Contacts that can touch in this substep,
+    std::vector<Row*> on_steel;        ///< and those of them that glide, one a link, increasing.
     std::vector<int> kept;             ///< Nodes that are held in this substep because they press.
 
     // Carried from tick to tick.
@@ -222,7 +223,6 @@ struct State {
     std::vector<Unknown> unknowns;     ///< Scratch of thread on steel: what is asked for,
     std::vector<double> unknown;       ///< errors and then answers,
     Band band;
-    std::vector<Row*> on_steel;
     std::vector<Vec3> line, glided;    ///< per node: along the thread, and how it moves [m],
     std::vector<double> stiff;         ///< and how much harder across itself.
     std::vector<Vec3> carried;         ///< Scratch: how far taut spans went along with their ends.
@@ -302,8 +302,7 @@ void measure_gaps(State& state, double way);
 /// What is farther off than where it touches by this has no row [m].
 double closing(const State& state);
 
-/// Whether any row glides, and whether one pushes or is about to (glide.cpp).
-bool has_wraps(const State& state);
+/// Whether any row that glides pushes or is about to (glide.cpp).
 bool is_on_steel(const State& state);
 /// As solve_lengths, with the pushes and the friction of steel: one Newton step of them all, O(n).
 double glide(State& state);

@@ -34,32 +34,36 @@ static void find_wraps(State& state) {
         auto last = first + 1;
         if (is_part(*first))
             while (last != state.rows.end() && goes_on(last[-1], *last) && is_part(*last)) ++last;
-        if (last - first >= fewest) std::for_each(first, last, [](Row& row) { row.glides = true; });
+        if (last - first >= fewest) std::for_each(first, last, [&](Row& row) { state.on_steel.push_back(&row); });
         first = last;
     }
 }
 
 void recall_wraps(State& state) {
     for (Row& row : state.rows) row.glides = row.pressed = false;
+    state.on_steel.clear();
     if (!is_knotted(state)) find_wraps(state);
-    for (Row& row : state.rows) {
-        if (!row.glides) continue;
-        row.slip_before = row.grip_before = 0;
-        row.grip = state.wraps[at(row.link)].grip;
-        row.pressed = state.wraps[at(row.link)].presses;
+    std::sort(state.on_steel.begin(), state.on_steel.end(), [](const Row* a, const Row* b) { return a->link < b->link; });
+    for (Row* row : state.on_steel) {
+        const Wrap& wrap = state.wraps[at(row->link)];
+        row->glides = true;
+        row->pressed = wrap.presses;
+        row->grip = wrap.grip;
+        row->slip_before = row->grip_before = 0;
     }
 }
 
 void remember_wraps(State& state) {
     std::fill(state.wraps.begin(), state.wraps.end(), Wrap{});
-    for (const Row& row : state.rows)
-        if (row.glides && row.normal_push > 0) state.wraps[at(row.link)] = {row.grip, true};
+    for (const Row* row : state.on_steel)
+        if (row->normal_push > 0) state.wraps[at(row->link)] = {row->grip, true};
 }
 
 void lie_on_steel(State& state) {
+    if (state.on_steel.empty()) return;
     aim(state);
-    for (const Row& row : state.rows)
-        if (row.pressed && row.mobility > 0) push_apart(state, row, (row.target - row.distance) / row.mobility * row.normal);
+    for (const Row* row : state.on_steel)
+        if (row->pressed && row->mobility > 0) push_apart(state, *row, (row->target - row->distance) / row->mobility * row->normal);
 }
 
 }  // namespace sim::thread
