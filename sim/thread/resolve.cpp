@@ -24,8 +24,11 @@ static double mobility(const State& state, int link, double place) {
 }
 
 double over_goal(const State& state, const Row& row, double distance) {
-    const double goal = (row.against == Against::thread ? strand_goal : 0.1) * 2 * state.def.radius;
-    return std::max(0.0, (row.target - distance) / goal);
+    const double thickness = 2 * state.def.radius;
+    if (row.against == Against::thread) return std::max(0.0, (row.target - distance) / (strand_goal * thickness));
+    // Lengths that are met after the last pass draw a taut thread in again.
+    constexpr double room_for_lengths = 0.9;
+    return std::max({0.0, (row.target - distance) / (0.1 * thickness), (row.thickness - distance) / (room_for_lengths * steel_limit * thickness)});
 }
 
 double over_limit(const State& state, const Row& row) {

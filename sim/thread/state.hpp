@@ -325,7 +325,7 @@ double resolve_contacts(State& state);
 /// it is small enough (couple.cpp).
 double couple(State& state);
 /// What passes stop for: strands into each other's skin by `strand_goal`, thread into steel or a wall by a tenth of its
-/// thickness, which is out of sight.
+/// thickness, which is out of sight, and wherever it was by less than `steel_limit`.
 double over_goal(const State& state, const Row& row, double distance);
 /// From the other's point to the link's, as the nodes are [m].
 Vec3 apart_of(const State& state, const Row& row);

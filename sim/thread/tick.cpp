@@ -82,11 +82,12 @@ constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jamm
 double admissible_share(const State& state, const Movers& movers, const Motion& motion) {
     constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
     constexpr double round_steel = 0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
+    // Tools that only push may be faster than what is held; the last substep's way was of the fastest.
+    const auto expected = [&](std::size_t node) { return std::clamp(state.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds); };
     double share = 1;
-    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
-        share = std::min(share, for_following * state.bound[i] / (std::clamp(state.following[i], 0.25, 1.0) * motion.of_holds));
+    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i) share = std::min(share, for_following * state.bound[i] / expected(i));
     for (std::size_t k = 0; k < state.wraps.size() && motion.of_holds > 0; ++k)
-        if (state.wraps[k].presses) share = std::min(share, round_steel * state.rest[k] / (std::clamp(state.following[k], 0.25, 1.0) * motion.of_holds));
+        if (state.wraps[k].presses) share = std::min(share, round_steel * state.rest[k] / expected(k));
     if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule && movers.include(state.input.capsules[static_cast<std::size_t>(c.other)].owner))
