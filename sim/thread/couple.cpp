@@ -115,7 +115,7 @@ static void collect(State& state) {
     std::vector<PushedRow>& rows = state.pushed_rows;
     rows.clear();
     for (Row& row : state.rows)
-        if ((row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0) rows.emplace_back(row);
+        if (!row.glides && (row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0) rows.emplace_back(row);
     const auto matters = [](const PushedRow& r) { return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance); };
     if (rows.size() > most_coupled) {
         std::sort(rows.begin(), rows.end(), [&](const PushedRow& a, const PushedRow& b) {

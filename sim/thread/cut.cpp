@@ -100,6 +100,7 @@ bool cut(State& state, std::size_t link, double share, std::span<int> held) {
     renew(state);
     state.moved = 0;  // no link is joined before we have looked around again
     state.unfinished.pace = -1;
+    state.unfinished.tries = 0;
     for (Pace& pace : state.paces) pace = {.refused = std::move(pace.refused)};  // what was jammed may be free
     return true;
 }

@@ -88,6 +88,7 @@ void measure_gaps(State& state, double way) {
     // Things not among the contacts were farther than `reach`.
     std::fill(state.bound.begin(), state.bound.end(), bound_share * std::max(0.0, state.reach - 2 * state.moved));
     state.rows.clear();
+    state.on_steel.clear();
     for (Contact& c : state.contacts) {
         measure(state, c);
         bound_nodes(state, c);

@@ -12,8 +12,7 @@ double worst_stretch(const State& state, const std::vector<Vec3>& nodes) {
     return worst;
 }
 
-// Directions of all links, their length errors into `multiplier`; returns the worst relative error. A cut has neither.
-static double measure_links(State& state) {
+double measure_links(State& state) {
     double worst = 0;
     for (std::size_t k = 0; k < state.rest.size(); ++k) {
         if (state.is_cut(k)) {

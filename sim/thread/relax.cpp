@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {
@@ -11,11 +13,13 @@ void clip(State& state) {
     }
 }
 
+static double solve(State& state) { return is_on_steel(state) ? glide(state) : solve_lengths(state); }
+
 static double pass(State& state, double (*contacts)(State&)) {
     ++state.work;
     const double overlap = contacts(state);
     limit_bends(state);
-    solve_lengths(state);
+    solve(state);
     clip(state);
     return overlap;
 }
@@ -27,7 +31,7 @@ static double settle(State& state) {
     double stretch = 1, before = 2;
     for (int i = 0; i < most_solves && stretch > 0.1 * stretch_tolerance && (i < least_solves || stretch < 0.5 * before); ++i) {
         before = stretch;
-        stretch = solve_lengths(state);
+        stretch = solve(state);
         clip(state);
     }
     return std::max(worst_stretch(state, state.nodes) / stretch_tolerance, aim(state));
@@ -48,12 +52,16 @@ double relax(State& state, Effort effort) {
         was = overlap;
         overlap = pass(state, resolve_contacts);
     }
-    double violation = overlap < 1 || stands_still(passes) || effort.couplings == 0 ? settle(state) : overlap;
-    for (int i = 1; i <= effort.couplings && violation > 1 && !state.rows.empty(); ++i) {
+    // What a wrap and lengths alone leave is met by their own solve.
+    const bool others_press = std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return !row.glides && row.normal_push > 0; });
+    const int couplings = others_press || state.on_steel.empty() ? effort.couplings : 0;
+    double violation = overlap < 1 || stands_still(passes) || couplings == 0 ? settle(state) : overlap;
+    for (int i = 1; i <= couplings && violation > 1 && !state.rows.empty(); ++i) {
         state.work += work_of_coupling;
+        if (!state.on_steel.empty()) solve_lengths(state);  // coupling goes by its factors
         aim(state);
         overlap = pass(state, couple);
-        if (overlap < 1 || i == effort.couplings) violation = settle(state);
+        if (overlap < 1 || i == couplings) violation = settle(state);
     }
     return violation;
 }

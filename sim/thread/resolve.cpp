@@ -24,8 +24,11 @@ static double mobility(const State& state, int link, double place) {
 }
 
 double over_goal(const State& state, const Row& row, double distance) {
-    const double goal = (row.against == Against::thread ? strand_goal : 0.1) * 2 * state.def.radius;
-    return std::max(0.0, (row.target - distance) / goal);
+    const double thickness = 2 * state.def.radius;
+    if (row.against == Against::thread) return std::max(0.0, (row.target - distance) / (strand_goal * thickness));
+    // Lengths that are met after the last pass draw a taut thread in again.
+    constexpr double room_for_lengths = 0.9;
+    return std::max({0.0, (row.target - distance) / (0.1 * thickness), (row.thickness - distance) / (room_for_lengths * steel_limit * thickness)});
 }
 
 double over_limit(const State& state, const Row& row) {
@@ -67,6 +70,7 @@ Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted) {
 static double resolve(State& state, Row& row) {
     const Vec3 apart = apart_of(state, row);
     const double distance = apart.dot(row.normal);
+    if (row.glides) return over_goal(state, row, distance);  // met by lengths (glide.cpp)
     if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
     const Vec3 slip = slip_of(row, apart), normal = add_normal_push(row, apart, row.mobility) * row.normal;
     push_apart(state, row, normal + add_tangent_push(row, slip, -slip / row.mobility));
@@ -96,6 +100,32 @@ static void aim_at(const State& state, Row& row, const ClosestPair& pair) {
     if (row.distance > 0) row.normal = (pair.on_a - pair.on_b) / row.distance;
 }
 
+// Links along steel touch it in their middles, and a push there says as much of one end as of the other: errors that change from link
+// to link would be answered by ever larger zigzags. So where thread lies finely on steel, the node between two links is pushed, until
+// the two together lie right.
+static void aim_at_nodes(State& state) {
+    const double fine = 0.1 * state.def.radius;
+    for (std::size_t r = 0; r + 1 < state.on_steel.size(); ++r) {
+        Row& row = *state.on_steel[r];
+        const Row& next = *state.on_steel[r + 1];
+        if (!goes_on(row, next)) continue;
+        const Vec3& node = state.nodes[at(next.link)];
+        const Capsule &now = state.capsules[at(row.other)], &then = state.capsules_before[at(row.other)];
+        const ClosestPair pair = closest_points(node, node, now.a, now.b);
+        const double node_distance = std::sqrt(pair.distance_squared), distance = 0.5 * (row.distance + next.distance);
+        if (std::abs(node_distance - distance) > fine) continue;
+        // Across the thread, for steel that is smooth pushes no other way.
+        const Vec3 out = node - pair.on_b, chord = (state.nodes[at(next.link + 1)] - state.nodes[at(row.link)]).stableNormalized();
+        row.s = 1;
+        row.t = pair.t;
+        row.normal = (out - out.dot(chord) * chord).stableNormalized();
+        row.fixed = node - distance * row.normal;
+        row.start = state.before[at(next.link)] - along(then.a, then.b, row.t);
+        row.mobility = mobility(state, row.link, row.s);
+        row.distance = distance;
+    }
+}
+
 double aim(State& state) {
     double worst = 0;
     for (Row& row : state.rows) {
@@ -116,6 +146,7 @@ double aim(State& state) {
         }
         worst = std::max(worst, over_limit(state, row));
     }
+    aim_at_nodes(state);
     return worst;
 }
 

@@ -6,6 +6,7 @@
 
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/band.hpp"
 #include "sim/thread/link_tree.hpp"
 #include "sim/thread/rod.hpp"
 #include "sim/thread/thread.hpp"
@@ -40,6 +41,10 @@ struct Row {
     double mobility = 0;          ///< Distance gained by a unit push.
     double normal_push = 0;       ///< >= 0.
     Vec3 tangent_push = Vec3::Zero();
+    double grip = 0;              ///< Share of Coulomb's friction that a wrap on steel drags with, positive towards the thread's first node ...
+    double grip_before = 0, slip_before = 0;  ///< ... and another that was tried, and how far it slid with that [m].
+    bool glides = false;          ///< Part of a wrap on steel: its pushes are found together with lengths.
+    bool pressed = false;         ///< When the last substep ended; until it is known whether it does now.
     double slip = 0;              ///< How far friction that holds has let it slide, when last resolved [m].
 };
 
@@ -72,6 +77,22 @@ struct Press {
     Vec3 across = Vec3::Zero();         ///< How its points give way to its own push across [m/N],
     double gives = 0;                   ///< and across alone;
     Eigen::Matrix3d along = {};         ///< the push along that undoes a slip [N/m].
+};
+
+/// What is found together with all others where thread lies on steel: the pull of a link, or the push of a contact. It acts on the
+/// link's two nodes with `weight` * `force`, so that what they measure along `axis` is right.
+struct Unknown {
+    Row* row;                       ///< None: a length.
+    int link;
+    std::array<double, 2> weight;
+    Vec3 axis, force;
+    double compliance;
+};
+
+/// Of a link on steel, from substep to substep.
+struct Wrap {
+    double grip = 0;                ///< As Row::grip.
+    bool presses = false;
 };
 
 /// How far one dares to go, for tools that move together.
@@ -142,7 +163,8 @@ struct State {
     std::vector<Vec3> before;          ///< Nodes when the substep began.
     std::vector<double> bound;         ///< How far each node may move in this substep [m].
     std::vector<Capsule> capsules, capsules_before;
-    std::vector<Row> rows;             ///< Contacts that can touch in this substep.
+    std::vector<Row> rows;             ///< Contacts that can touch in this substep,
+    std::vector<Row*> on_steel;        ///< and those of them that glide, one a link, increasing.
     std::vector<int> kept;             ///< Nodes that are held in this substep because they press.
 
     // Carried from tick to tick.
@@ -196,6 +218,13 @@ struct State {
     struct Reach { double diagonal, share; };
     std::vector<Reach> inverse;          ///< Of the lengths' matrix, at those links.
     std::vector<Vec3> coupled_move;
+    std::vector<Wrap> wraps;           ///< Per link, of the last substep,
+    std::vector<double> pulled_before; ///< and `pulled`.
+    std::vector<Unknown> unknowns;     ///< Scratch of thread on steel: what is asked for,
+    std::vector<double> unknown;       ///< errors and then answers,
+    Band band;
+    std::vector<Vec3> line, glided;    ///< per node: along the thread, and how it moves [m],
+    std::vector<double> stiff;         ///< and how much harder across itself.
     std::vector<Vec3> carried;         ///< Scratch: how far taut spans went along with their ends.
     std::vector<Vec3> forward;         ///< Scratch of Follow-The-Leader.
     mutable std::vector<Box> audit_boxes, audit_links;  ///< Scratch of the audit.
@@ -261,6 +290,8 @@ void follow_leader(State& state);
 
 /// One Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it (lengths.cpp).
 double solve_lengths(State& state);
+/// Directions of all links, their length errors into `multiplier`; returns the worst relative error. A cut has neither.
+double measure_links(State& state);
 double worst_stretch(const State& state, const std::vector<Vec3>& nodes);
 
 /// Every pair within `reach` of each other, where it is not known already (detect.cpp): whether anything was to be found.
@@ -270,6 +301,18 @@ void measure_gaps(State& state, double way);
 
 /// What is farther off than where it touches by this has no row [m].
 double closing(const State& state);
+
+/// Whether any row that glides pushes or is about to (glide.cpp).
+bool is_on_steel(const State& state);
+/// As solve_lengths, with the pushes and the friction of steel: one Newton step of them all, O(n).
+double glide(State& state);
+/// Whether the second row is of the same tool part and the next link.
+bool goes_on(const Row& row, const Row& next);
+/// Into State::wraps, and from there to rows: finds what lies along steel as the rows were measured (wraps.cpp).
+void remember_wraps(State& state);
+void recall_wraps(State& state);
+/// What pressed on steel when the last substep ended is laid on it where it has come to: drift goes straight on, steel is round.
+void lie_on_steel(State& state);
 
 /// Only how far links are from tools; rows are not to be used before measure_gaps().
 void measure_tool_gaps(State& state);
@@ -282,7 +325,7 @@ double resolve_contacts(State& state);
 /// it is small enough (couple.cpp).
 double couple(State& state);
 /// What passes stop for: strands into each other's skin by `strand_goal`, thread into steel or a wall by a tenth of its
-/// thickness, which is out of sight.
+/// thickness, which is out of sight, and wherever it was by less than `steel_limit`.
 double over_goal(const State& state, const Row& row, double distance);
 /// From the other's point to the link's, as the nodes are [m].
 Vec3 apart_of(const State& state, const Row& row);

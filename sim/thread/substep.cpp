@@ -41,11 +41,13 @@ static void let_go_of_kept(State& state) {
 }
 
 static void begin_answer(State& state, double way, Answer answer) {
+    state.pulled_before = state.pulled;
     std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
     for (Row& row : state.rows) {
         row.normal_push = 0;
         row.tangent_push.setZero();
     }
+    recall_wraps(state);
     if (answer == Answer::drift && state.drift_way > 0) {
         constexpr double going_on = 0.95;  // less drags on what slides, more lets it slide on by itself: knots untie
         const double share = going_on * std::min(4.0, way / state.drift_way);
@@ -54,6 +56,7 @@ static void begin_answer(State& state, double way, Answer answer) {
     place_held(state);
     carry_taut_spans(state);
     if (answer == Answer::follow_the_leader) follow_leader(state);
+    lie_on_steel(state);
 }
 
 static double try_answer(State& state, double way, Answer answer, Effort effort) {
@@ -104,6 +107,7 @@ Substep attempt(State& state, double way, Answer answer, Effort effort) {
         state.drift[i] = moved - state.carried[i];
         state.following[i] = way > 0 ? moved.norm() / way : 1;
     }
+    remember_wraps(state);
     state.drift_way = way;
     const double moved = largest_move(state);
     state.moved += moved;

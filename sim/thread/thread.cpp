@@ -34,12 +34,17 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
       tension(rest.size(), 0.0),
       tree(static_cast<int>(most_links(def, rest))) {
     const std::size_t most = most_links(def, rest);
-    for (auto* of_nodes : {&nodes, &before, &drift, &unfinished.nodes, &carried, &forward, &coupled_move, &unit}) of_nodes->reserve(most + 1);
+    for (auto* of_nodes : {&nodes, &before, &drift, &unfinished.nodes, &carried, &forward, &coupled_move, &unit, &line, &glided}) of_nodes->reserve(most + 1);
     for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &lower, &pivot, &upper, &multiplier,
-                           &pulled, &weight_at})
+                           &pulled, &pulled_before, &weight_at, &stiff})
         of_links->reserve(most + 1);
     for (auto* boxes : {&audit_boxes, &audit_links}) boxes->reserve(most);
     kept.reserve(most + 1);
+    wraps.reserve(most);
+    unknowns.reserve(2 * most);
+    on_steel.reserve(most);
+    unknown.reserve(2 * most);
+    band.reserve(2 * most);
     // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
     surface_forces.reserve(most);
     contacts.reserve(24 * most);
@@ -66,11 +71,12 @@ void State::size_for_links() {
     for (std::size_t i = 1; i < n; ++i)
         if (!is_end(i)) least_span[i] = thread::least_span(rest[i - 1], rest[i], def.radius);
     before = unfinished.nodes = nodes;
-    for (auto* of_nodes : {&carried, &forward}) of_nodes->resize(n + 1);
+    for (auto* of_nodes : {&carried, &forward, &glided, &line}) of_nodes->resize(n + 1);
     unit.resize(n);
     inverse_mass.assign(n + 1, 1.0);
     for (auto* of_nodes : {&bound, &weight_at}) of_nodes->assign(n + 1, 0.0);
-    for (auto* of_links : {&lower, &pivot, &upper, &multiplier, &pulled}) of_links->assign(n, 0.0);
+    for (auto* of_links : {&lower, &pivot, &upper, &multiplier, &pulled, &pulled_before}) of_links->assign(n, 0.0);
+    wraps.assign(n, {});
     tree.resize(static_cast<int>(n));
 }
 
@@ -155,6 +161,13 @@ std::uint64_t Thread::hash() const {
             for (int c = 0; c < 3; ++c) add(way[c]);
     }
     add(impl_->state.settled);
+    if (!impl_->state.rod) {
+        for (const Wrap& wrap : impl_->state.wraps) {
+            add(wrap.grip);
+            add(wrap.presses);
+        }
+        for (const double pull : impl_->state.pulled) add(pull);
+    }
     if (impl_->state.rod) {
         for (const Vec3& v : impl_->state.rod->velocity())
             for (int c = 0; c < 3; ++c) add(v[c]);

@@ -25,12 +25,17 @@ std::size_t groups_of(const TickInput& input) {
     return groups;
 }
 
+void forget_unfinished(State& state) {
+    state.unfinished.pace = -1;
+    state.unfinished.tries = 0;
+}
+
 void begin(State& state, const TickInput& input) {
     state.input = input;
     state.progress.assign(groups_of(input), 0);
     if (state.paces.size() != state.progress.size() + 1) {
         state.paces.assign(state.progress.size() + 1, {});
-        state.unfinished.pace = -1;
+        forget_unfinished(state);
     }
     for (Pace& pace : state.paces) pace.refused.reserve(input.holds.size() + 2 * input.capsules.size());
     state.work = 0;
@@ -81,9 +86,13 @@ constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jamm
 // farther than its leader while links keep their length, and by a quarter of that at least: it may come to be pulled.
 double admissible_share(const State& state, const Movers& movers, const Motion& motion) {
     constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
+    constexpr double round_steel = 0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
+    // Tools that only push may be faster than what is held; the last substep's way was of the fastest.
+    const auto expected = [&](std::size_t node) { return std::clamp(state.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds); };
     double share = 1;
-    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
-        share = std::min(share, for_following * state.bound[i] / (std::clamp(state.following[i], 0.25, 1.0) * motion.of_holds));
+    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i) share = std::min(share, for_following * state.bound[i] / expected(i));
+    for (std::size_t k = 0; k < state.wraps.size() && motion.of_holds > 0; ++k)
+        if (state.wraps[k].presses) share = std::min(share, round_steel * state.rest[k] / expected(k));
     if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule && movers.include(state.input.capsules[static_cast<std::size_t>(c.other)].owner))
@@ -91,17 +100,19 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     return share;
 }
 
-// A hand that trembles or pulls harder asks for the same, one that turns or stops does not.
-bool is_much_the_same(const std::vector<Vec3>& asked, const std::vector<Vec3>& refused) {
+// A hand that trembles or pulls harder asks for the same, one that turns or stops does not. What stands still but for rounding
+// points anywhere.
+bool is_much_the_same(const State& state, const std::vector<Vec3>& refused) {
     constexpr double turn = 0.25;  // [rad]
-    return std::equal(asked.begin(), asked.end(), refused.begin(), refused.end(), [](const Vec3& a, const Vec3& b) {
-        return (a.stableNormalized() - b.stableNormalized()).squaredNorm() <= turn * turn;
-    });
+    const double still = 1e-3 * state.def.radius;
+    const auto direction = [&](const Vec3& way) -> Vec3 { return way.norm() > still ? way.stableNormalized() : Vec3::Zero(); };
+    return std::equal(state.asked.begin(), state.asked.end(), refused.begin(), refused.end(),
+                      [&](const Vec3& a, const Vec3& b) { return (direction(a) - direction(b)).squaredNorm() <= turn * turn; });
 }
 
 bool waits(const State& state, Pace& pace, const Motion& motion) {
     if (pace.waits == 0 || motion.most() == 0) return false;
-    if (!is_much_the_same(state.asked, pace.refused)) {
+    if (!is_much_the_same(state, pace.refused)) {
         pace.waits = pace.jams_in_a_row = 0;
         pace.stuck = false;
         return false;
@@ -159,12 +170,12 @@ void learn_from_refusal(State& state, const Movers& movers, double share) {
     Unfinished& unfinished = state.unfinished;
     Pace& pace = state.paces[movers.pace];
     pace.refused = state.asked;
-    unfinished.tries = unfinished.pace < 0 ? 1 : unfinished.tries + 1;
     unfinished.share = share;
-    if (creeps(pace) && !state.rows.empty() && unfinished.tries < most_tries) {
+    // Begun afresh, because what is around has moved, it is still the same jam.
+    if (creeps(pace) && !state.rows.empty() && ++unfinished.tries < most_tries) {
         unfinished.pace = static_cast<int>(movers.pace);
     } else {
-        unfinished.pace = -1;
+        forget_unfinished(state);
         trust_less(pace);
     }
 }
@@ -187,7 +198,10 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
         state.work += work_of_looking;
     }
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
-    if (is_at_rest(state, motion)) return false;
+    if (is_at_rest(state, motion)) {
+        forget_unfinished(state);  // what was asked for then is asked for no more
+        return false;
+    }
     // Steps alike, no short one last: each says how the thread goes on in the next.
     const auto step_share = [&] {
         const double left = 1 - progress_of(state, movers), most = admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust);
@@ -200,7 +214,7 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
     for (std::size_t g = movers.first; g < movers.last; ++g) state.progress[g] = std::min(1.0, state.progress[g] + share);
     const Substep step = attempt(state, share * motion.most(), answer, effort(pace, answer));
     if (step.accepted) {
-        state.unfinished.pace = -1;
+        forget_unfinished(state);
         if (!jammed) trust_more(pace, !is_known && state.work - work_before <= easy_work);
         if (!state.settled) wake(state);
     } else {
@@ -248,9 +262,9 @@ void follow_tools(State& state, TickReport& report) {
         const auto p = static_cast<std::size_t>(pace);
         return pace == 0 ? Movers{0, groups, 0} : Movers{p - 1, p, p};
     };
-    if (int& pace = state.unfinished.pace; pace >= 0) {
+    if (const int pace = state.unfinished.pace; pace >= 0) {
         collect_asked(state, movers_of(pace));
-        if (!is_much_the_same(state.asked, state.paces[static_cast<std::size_t>(pace)].refused)) pace = -1;
+        if (!is_much_the_same(state, state.paces[static_cast<std::size_t>(pace)].refused)) forget_unfinished(state);
     }
     const bool goes_well = groups == 1 || state.paces[0].trust > 0.25;
     for (int pace = 0; pace <= (groups > 1 ? static_cast<int>(groups) : 0); ++pace)
