@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
@@ -84,17 +86,30 @@ static bool scene_changed(State& state) {
 
 // What was beyond reach cannot touch before something has moved by half the rest. Held nodes and tools that are asked to
 // go `way` need that much room besides, for what has not been looked at bounds every node.
-bool look_around(State& state, double way) {
-    const double touching = 2 * state.def.radius, reach = looked_around * state.def.radius;
-    const double unseen = reach - 2 * state.moved;
+static bool is_due(State& state, double way) {
+    const double touching = 2 * state.def.radius, unseen = looked_around * state.def.radius - 2 * state.moved;
     const bool roomy = unseen > touching && (state.moved == 0 || bound_share * unseen > 2 * way);
-    if (!scene_changed(state) && roomy) return false;
-    state.reach = reach;
+    return scene_changed(state) || !roomy;
+}
+
+bool look_at_tools(State& state, double way) {
+    if (!is_due(state, way)) return false;
+    state.reach = looked_around * state.def.radius;
     state.moved = 0;
     state.contacts.clear();
     state.tree.refit(state.nodes);
-    detect_self(state);
     detect_capsules(state);
+    return state.is_rest_due = true;
+}
+
+// Strands first, then tools, then walls.
+bool look_around(State& state, double way) {
+    const bool looked = look_at_tools(state, way);
+    if (!state.is_rest_due) return looked;
+    state.is_rest_due = false;
+    const auto of_tools = static_cast<std::ptrdiff_t>(state.contacts.size());
+    detect_self(state);
+    std::rotate(state.contacts.begin(), state.contacts.begin() + of_tools, state.contacts.end());
     detect_surface(state);
     return true;
 }

@@ -113,8 +113,8 @@ static void answer(State& state, double left, double tools, const Motion& motion
     if (motion.of_capsules > 0) {
         set_progress(state, 1 - left * (1 - tools));
         state.moved += largest_capsule_move(state);
-        look_around(state, way);
     }
+    look_around(state, way);
     measure_gaps(state, way);
     aim(state);
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
@@ -141,7 +141,7 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
     Rod& rod = *state.rod;
     state.before = state.nodes;
     state.capsules_before = state.capsules;
-    look_around(state, way_of_step(state, left, motion));
+    look_at_tools(state, way_of_step(state, left, motion));
     measure_tool_gaps(state);
     constexpr double by_tools = 0.99;  // of the most pull; the rest is for what the thread does by itself
     const double most = rod.def().most_pull();

@@ -171,6 +171,7 @@ struct State {
     std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected.
     double reach = 0;                  ///< [m]
     double moved = 0;                  ///< Sum of largest node moves (and tool moves) since then [m].
+    bool is_rest_due = false;          ///< Only tools have been looked at since.
     std::vector<int> seen;             ///< Holds, owners and capsules that the contacts were detected for ...
     const void* seen_surface = nullptr;
     std::vector<Vec3> drift;           ///< How each node moved in the last substep [m] ...
@@ -296,6 +297,8 @@ double worst_stretch(const State& state, const std::vector<Vec3>& nodes);
 
 /// Every pair within `reach` of each other, where it is not known already (detect.cpp): whether anything was to be found.
 bool look_around(State& state, double way);
+/// Only what tools are near; the next look_around() sees the rest. Contacts are not to be used for more before it.
+bool look_at_tools(State& state, double way);
 /// Gaps of all contacts as the nodes stand, the bound of each node from them, and the rows (gaps.cpp).
 void measure_gaps(State& state, double way);
 
