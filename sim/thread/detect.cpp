@@ -26,7 +26,17 @@ static void add(State& state, Against against, int link, int other, double thick
 static void detect_self(State& state) {
     constexpr double pi = 3.14159265358979;
     const double reach2 = state.reach * state.reach, half_turn = pi * state.def.radius;
+    state.middles.resize(state.rest.size());
+    for (std::size_t k = 0; k < state.rest.size(); ++k) {
+        const Vec3 &from = state.nodes[k], &to = state.nodes[k + 1];
+        state.middles[k] = {0.5 * (from + to), 0.5 * (to - from).norm()};
+    }
+    const auto is_out_of_reach = [&](const State::Middle& a, const State::Middle& b) {
+        const double far = state.reach + a.half + b.half;
+        return (a.place - b.place).squaredNorm() > far * far;
+    };
     state.tree.self_pairs(state.reach, 2, [&](int i, int j) {
+        if (is_out_of_reach(state.middles[at(i)], state.middles[at(j)])) return;
         if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn || state.is_cut(at(i)) || state.is_cut(at(j))) return;
         const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
         if (pair.distance_squared < reach2) add(state, Against::thread, i, j, (1 + skin) * 2 * state.def.radius, pair);

@@ -205,6 +205,8 @@ struct State {
 
     LinkTree tree;
     std::vector<int> found;            ///< Scratch.
+    struct Middle { Vec3 place; double half; };
+    std::vector<Middle> middles;       ///< Of links, with half their lengths [m]: most pairs are told apart by these.
     std::vector<Vec3> unit;            ///< Scratch of the length solve.
     std::vector<double> lower, pivot, upper, multiplier;  ///< The last length solve: its factors and its answer.
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.

@@ -45,6 +45,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     on_steel.reserve(most);
     unknown.reserve(2 * most);
     band.reserve(2 * most);
+    middles.reserve(most);
     // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
     surface_forces.reserve(most);
     contacts.reserve(24 * most);
