@@ -143,6 +143,20 @@ TEST_P(Tear, OpensTheBiteOnceAndLetsTheThreadGo) {
     }
 }
 
+// What both strands are drawn out with goes through the rim into the tissue, all of it: at rest the clamps hold as much.
+TEST(Tearing, WhatJawsDrawWithTheClampsHold) {
+    Scene scene("elastic", 0.8 * mm);
+    World world(scene.def, {}, scene.tools);
+    close(scene, world);
+    while (pull(world) < 0.4 * bears(world) && world.time_s() < 2) draw(scene, world, 3 * mm);
+    for (int t = 0; t < 1000; ++t) world.tick(scene.tools);
+    const auto& vessel = world.vessels()[0];
+    Vec3 held = Vec3::Zero();
+    for (const tissue::Hold& clamp : vessel.clamps) held -= vessel.tissue.hold_force(clamp.node);
+    EXPECT_GT(pull(world), 0.2);
+    EXPECT_NEAR(held.norm(), pull(world), 0.1 * pull(world)) << "thread and wall are stepped in turn: forces are a tick old, and strands lie on the edge";
+}
+
 // To nine tenths of what the bite bears, by which the wall is drawn, and held there for a second.
 TEST_P(Tear, IsNotTornByLess) {
     Scene scene(GetParam(), 0.8 * mm);
