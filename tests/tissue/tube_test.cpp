@@ -6,6 +6,12 @@
 #include <map>
 #include <numbers>
 
+namespace tissue {
+
+static void PrintTo(const TubeDef& def, std::ostream* out) { *out << 1e3 * def.diameter << "_mm_cut_at_" << def.cut_angle << "_" << def.around << "_around"; }
+
+}  // namespace tissue
+
 namespace {
 
 using namespace tissue;
