@@ -136,8 +136,7 @@ void Skin::forget_parts() {
 }
 
 int Skin::hole_about(int triangle, const Vec3& weights) const {
-    const Triangle& t = (*this)[triangle];
-    const Vec3 point = weights.x() * t.a + weights.y() * t.b + weights.z() * t.c;
+    const Vec3 point = point_in((*this)[triangle], weights);
     int best = -1;
     double least = 1;
     for (int hole = 0; hole < holes(); ++hole) {

@@ -42,10 +42,7 @@ void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::
     places_.resize(targets_.size());
     for (std::size_t t = 0; t < moved_.size(); ++t) {
         const Triangle& whole = shown[at(parts[t].of)];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto weights = parts[t].weights.col(static_cast<Eigen::Index>(k));
-            places_[at(corners_[t][k])] = weights.x() * whole.a + weights.y() * whole.b + weights.z() * whole.c;
-        }
+        for (std::size_t k = 0; k < 3; ++k) places_[at(corners_[t][k])] = tissue::point_in(whole, parts[t].weights.col(static_cast<Eigen::Index>(k)));
     }
     show();
     tree_ = sim::geometry::TriangleTree(moved_);

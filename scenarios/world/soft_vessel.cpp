@@ -90,8 +90,7 @@ void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geomet
     const Vec3 weights = tissue::weights_in(shown, force.at);
     const double size = force.force.norm();
     const Vec3 way = force.force / size;
-    const sim::geometry::Triangle now = skin[triangle];
-    const double gone = way.dot(weights.x() * now.a + weights.y() * now.b + weights.z() * now.c - force.at);
+    const double gone = way.dot(tissue::point_in(skin[triangle], weights) - force.at);
     presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, gone});
 }
 

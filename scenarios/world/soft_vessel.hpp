@@ -25,7 +25,7 @@ struct SoftVessel {
 
     /// What the thread presses on one of its triangles, of which `believed` counts. It presses on the wall that it is `shown`.
     void press(const sim::thread::SurfaceForce& pressed, const sim::geometry::Triangle& shown, double believed);
-    /// All of that acts for `share` of the next step. By as much as the tissue has gone on already from where it was shown it is less. `elastic`: the thread.
+    /// All of that acts for `share` (0 to 1) of the next step. By as much as the skin has gone on already from where it was shown it is less. `elastic`: the thread.
     void load(double share, bool elastic);
 
     tissue::Tissue tissue;

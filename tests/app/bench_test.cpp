@@ -126,9 +126,6 @@ TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
 
 // One whole run through the real program, peers that were built included. Times are whatever they are here.
 TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "times are the release build's; what this plays the hard cases, ties and laws play here too";
-#endif
     const program::Folder folder;
     const std::string plot = folder.path("plot.svg");
     const auto ending = program::run({"bench", "speed", "--quick", "--json", "--plot", plot}, std::chrono::seconds(600));

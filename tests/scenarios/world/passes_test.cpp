@@ -85,7 +85,11 @@ TEST_P(Passes, TwoStrandsGoThroughOneHole) {
     scene.hold("right", {6 * mm, apart, high}, Vec3::UnitX(), -Vec3::UnitY());
     World world(scene.def, {}, scene.tools);
     const double at_first = length(world);
+    const auto below = [&] { const auto out = strands_in(world, 1); return out.empty() ? 0 : out.back() - out.front(); };  // of the thread [m]
+    const double loop = below();
+    double stopped = 0;
     for (int t = 0; t < 700; ++t) {
+        if (t == 500) stopped = below();
         if (t == 1)
             for (ToolInput& tool : scene.tools) tool.jaw = 0;
         if (t >= 50 && t < 250) scene.tools[0].pose.position.x() -= 5 * mm * tick;
@@ -99,6 +103,8 @@ TEST_P(Passes, TwoStrandsGoThroughOneHole) {
     for (const Vec3& node : world.thread()) lowest = std::min(lowest, node.z());
     if (std::string(GetParam()) == "elastic") {  // by Follow-The-Leader both jam in so narrow a hole, and the tools wait
         EXPECT_GT(lowest, deep + 0.7 * mm) << "half of what both were drawn, but for how far they lift before they are taut";
+        EXPECT_LT(below(), loop - 1.8 * mm) << "all that was drawn comes out of the loop, and as much more as strands so slack (2 mN) bow";
+        EXPECT_NEAR(below(), stopped, 0.05 * mm) << "hands at rest draw nothing";
     }
     const auto into = strands_in(world, 0), out = strands_in(world, 1);
     ASSERT_EQ(into.size(), 2u);
