@@ -5,6 +5,7 @@
 
 #include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
+#include "sim/geometry/closest_points.hpp"
 
 namespace scenarios::world {
 
@@ -34,6 +35,21 @@ void flatten(Grasp& grasp, const JawRoom& room) {
     for (int k = 0; k < grasp.count; ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
     for (int k = middle; k + 1 < grasp.count; ++k) lay(k, k + 1);
     for (int k = middle; k > 0; --k) lay(k, k - 1);
+}
+
+// The least distance between strands in one pair of jaws, `most` at most [m].
+double apart(const std::vector<Grasp>& grasps, double most) {
+    double least2 = most * most;
+    const auto meet = [&](const Grasp& one, const Grasp& other) {
+        for (int i = 0; i + 1 < one.count; ++i)
+            for (int k = 0; k + 1 < other.count; ++k) {
+                const Vec3 *a = &one.anchor[static_cast<std::size_t>(i)], *b = &other.anchor[static_cast<std::size_t>(k)];
+                least2 = std::min(least2, sim::geometry::closest_points(a[0], a[1], b[0], b[1]).distance_squared);
+            }
+    };
+    for (std::size_t i = 0; i < grasps.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) meet(grasps[i], grasps[k]);
+    return std::sqrt(least2);
 }
 
 template <class T>
@@ -106,8 +122,22 @@ void World::update_grasps() {
             tool.walls.clear();
             let_needle_go(number);
         }
-        const JawRoom room(tool.shape, tool.now.jaw);
-        for (Grasp& grasp : tool.grasps) flatten(grasp, room);
+        close_onto_strands(number);
+    }
+}
+
+// Strands that cross between the jaws keep these open by their thickness.
+void World::close_onto_strands(int number) {
+    Tool& tool = tools_[static_cast<std::size_t>(number)];
+    const JawRoom room(tool.shape, tool.now.jaw);
+    flat_ = tool.grasps;
+    for (Grasp& grasp : flat_) flatten(grasp, room);
+    const double thickness = 2 * thread_.def().radius;
+    if (apart(flat_, thickness) >= apart(tool.grasps, thickness)) {
+        tool.grasps.swap(flat_);
+    } else {
+        tool.now.jaw = tool.before.jaw;
+        bench_.set_pose(number, tool.now);
     }
 }
 

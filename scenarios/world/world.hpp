@@ -156,6 +156,7 @@ class World {
     Arc needle_led_by(const instruments::Pose& tool) const;
     void hold_thread_on_needle();
     void take_hold(Tool& tool);
+    void close_onto_strands(int number);
     void take_wall(Tool& tool, const JawRoom& room);
     void look_for_walls(Tool& tool, const JawRoom& room, int vessel, const std::vector<int>& near, double z) const;
     void pull_walls(int vessel);
@@ -187,6 +188,7 @@ class World {
     std::vector<Tool> tools_;
     Needle needle_;
     std::vector<int> held_;                        // nodes; scratch
+    std::vector<Grasp> flat_;                      // scratch
     std::vector<sim::thread::Hold> holds_;         // of this tick
     std::vector<int> hold_owners_;
     std::vector<sim::thread::MovingCapsule> capsules_;

@@ -101,6 +101,30 @@ struct TwoTools {
     }
 };
 
+// Strands that cross between closing jaws lie on one another there: jaws that shut all the way would press them through each other.
+TEST(Grasp, JawsStopOnStrandsThatCross) {
+    for (const bool elastic : {false, true}) {
+        TwoTools scene;
+        scene.def.instruments.pop_back();
+        scene.def.thread.model = elastic ? "elastic" : "ftl";
+        scene.def.thread.length = 60e-3;
+        scene.def.thread.links = 200;
+        scene.def.thread.start = {Vec3(-20e-3, -0.4e-3, -3e-3), Vec3(-4e-3, -0.4e-3, 3e-3), Vec3(0, -0.4e-3, 4e-3),
+                                  Vec3(0, 0.4e-3, -4e-3), Vec3(-4e-3, 0.4e-3, -3e-3), Vec3(-20e-3, 0.4e-3, 3e-3)};
+        World world(scene.def, {}, {scene.tools.data(), 1});
+        for (int tick = 1; tick <= 500; ++tick) {
+            scene.tools[0].jaw = std::max(0.0, 1 - 0.0025 * tick);
+            world.tick({scene.tools.data(), 1});
+        }
+        const auto& tool = world.tools()[0];
+        EXPECT_EQ(tool.grasps.size(), 2u);
+        EXPECT_GT(tool.now.jaw, 0) << "as far as they are thick";
+        EXPECT_LT(tool.now.jaw, 0.1);
+        EXPECT_GE(world.worst().separation, 0.99);
+        EXPECT_EQ(world.measures().pass_throughs, 0u);
+    }
+}
+
 // A hand has pulled 10 mm past what the thread gives; the other lets go. The tool that waited must not leap after its hand
 // and whip the thread, and must be there within the time that a hand's speed of 0.1 m/s takes.
 TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
