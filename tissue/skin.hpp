@@ -129,7 +129,7 @@ class Skin {
 /// Weights of the corners for the point of a triangle's plane that is below `point`; each a third where the triangle has no area.
 Vec3 weights_in(const Triangle& triangle, const Vec3& point);
 
-/// The point of the triangle that has these weights at its corners [m].
+/// The point of the triangle's plane that has these weights of its corners, which sum to 1 [m].
 inline Vec3 point_in(const Triangle& triangle, const Vec3& weights) { return weights.x() * triangle.a + weights.y() * triangle.b + weights.z() * triangle.c; }
 
 }  // namespace tissue
