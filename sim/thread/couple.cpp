@@ -126,12 +126,22 @@ static void collect(State& state) {
     for (PushedRow& row : rows) measure_effects(state, row);
 }
 
+// Times a slip across the normal: the push that would undo it, if `own` is how the points give way to pushes. A strand gives way
+// easily across itself and hardly along itself. A matrix of a plane's two axes has the inverse (trace - itself) / determinant: of no
+// axes but the scene's, so that a mirrored knot pushes alike to the last bit.
+static Mat3 push_against(const Vec3& normal, const Mat3& own, double least) {
+    const Mat3 across = Mat3::Identity() - normal * normal.transpose(), gives = across * own * across + least * across;
+    const double trace = gives.trace(), determinant = 0.5 * (trace * trace - gives.squaredNorm());
+    return (gives - trace * across) / determinant;
+}
+
 static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
     PushedRow& row = state.pushed_rows[c];
     row.own = responses.block<3, 3>(column(c), column(c));
     // However long the strand that must come along: all of it gives way by no less than this.
-    row.least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
-    row.mobility = std::max(row.least, row.row->normal.dot(row.own * row.row->normal));
+    const double least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
+    row.mobility = std::max(least, row.row->normal.dot(row.own * row.row->normal));
+    row.against = push_against(row.row->normal, row.own, least);
 }
 
 // How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric: what
@@ -157,17 +167,6 @@ static void measure_responses(State& state) {
     }
 }
 
-// The push across the normal that would undo a slip, if `own` is how the points give way to pushes. A strand gives way
-// easily across itself and hardly along itself.
-static Vec3 push_against(const Vec3& slip, const Vec3& normal, const Mat3& own, double least) {
-    const double size = slip.norm();
-    if (size == 0) return Vec3::Zero();
-    const Vec3 along = slip / size, across = normal.cross(along);
-    const Vec3 by_along = own * along;
-    const double a = along.dot(by_along) + least, b = across.dot(by_along), c = across.dot(own * across) + least;
-    return -size / (a * c - b * b) * (c * along - b * across);
-}
-
 // One row of a sweep; returns its overlap before, 1 where it is small enough.
 static double push(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
     const PushedRow& pushed = state.pushed_rows[c];
@@ -177,7 +176,7 @@ static double push(State& state, std::size_t c, const Eigen::Map<Table::Matrix>&
     if (distance >= row.target && row.normal_push == 0) return 0;
     const Vec3 normal = add_normal_push(row, apart, pushed.mobility) * row.normal;
     const Vec3 slip = slip_of(row, apart + pushed.own * normal);
-    state.pushes.segment<3>(column(c)) += normal + add_tangent_push(row, slip, push_against(slip, row.normal, pushed.own, pushed.least));
+    state.pushes.segment<3>(column(c)) += normal + add_tangent_push(row, slip, pushed.against * slip);
     return std::max(over_goal(state, row, distance), row.slip / (slip_goal * 2 * state.def.radius));
 }
 

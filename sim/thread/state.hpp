@@ -62,7 +62,8 @@ struct PushedRow {
     int links = 0;
     Vec3 apart = Vec3::Zero();          ///< Before all pushes.
     Eigen::Matrix3d own = {};           ///< How its points give way to pushes on themselves,
-    double mobility = 0, least = 0;     ///< along the normal, and by how little at least.
+    double mobility = 0;                ///< along the normal.
+    Eigen::Matrix3d against = {};       ///< Times a slip: the push that undoes it.
 };
 
 /// A contact of an elastic thread during one step.
