@@ -209,8 +209,10 @@ void score_join(const world::Measures& measures, std::vector<ScoreItem>& items) 
     show("gap", "Widest gap of the suture line", "mm", join.gap_mm);
     show("lumen", "Lumen, over what it was", "", join.lumen_ratio);
     show("leak", "Leak at 100 mmHg", "mL/min", join.leak_ml_min);
-    for (const world::LapseMeasure& lapse : join.lapses)
-        items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, measures.duration_s, ""});
+    for (const world::LapseMeasure& lapse : join.lapses) {
+        const std::string why = lapse.committed ? lapse.measure + ": " + fixed(lapse.value, 2) + ", a lapse beyond " + fixed(lapse.limit, 2) + "." : "";
+        items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, measures.duration_s, why});
+    }
 }
 
 void score_tools(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {

@@ -138,3 +138,12 @@ TEST(Score, ItemsFailAlone) {
         }
     }
 }
+
+// "Yes" alone leaves an assessor to guess how far beyond the limit it was.
+TEST(Score, ALapseTellsItsNumber) {
+    world::Measures m = good();
+    m.join.lapses = {{"tear", "hole, in diameters of the thread", 3.518, 2, true}, {"overlap", "overlap, in walls", 0.4, 1, false}};
+    EXPECT_EQ(item("lapse: tear", m).why, "hole, in diameters of the thread: 3.52, a lapse beyond 2.00.");
+    EXPECT_EQ(item("lapse: overlap", m).value, "no");
+    EXPECT_EQ(item("lapse: overlap", m).why, "");
+}
