@@ -52,7 +52,7 @@ void add_render(CLI::App& program, Chosen& chosen) {
     command->add_option("--at", options->at_s, "Seconds of simulated time; default: a drill's start, a recording's end")
         ->check(CLI::Number);
     command->add_option("--out", options->out, "Picture to write (.png)")->required();
-    command->add_flag("--close", options->close, "Closer, on the knot");
+    command->add_flag("--close", options->close, "Closer, on the knot; where there is none, on the bites");
     command->callback([=, &chosen] { chosen = [options] { return render_command(*options); }; });
 }
 

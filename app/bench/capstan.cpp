@@ -1,5 +1,6 @@
 #include "app/bench/capstan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -20,7 +21,8 @@ constexpr double diameter = 2 * ThreadDef{}.radius;      // [m]
 constexpr double to_axis = 5 * diameter;                 // from the cylinder's axis to the thread's centre line [m]
 constexpr double pitch = 3 * diameter;                   // of a turn: turns beside each other never touch [m]
 constexpr double speed = 0.01;                           // [m/s]: median to fast tool tips
-constexpr double way = 8 * diameter;                     // pulled; the tension is read over its second half [m]
+constexpr double way = 8 * diameter;                     // pulled at least; the tension is read over the second half [m]
+constexpr int least_ticks = 128;                         // 64 readings: they jump while a link is drawn on, and the median of eight is off by 0.05
 
 // On the cylinder from -wrap/2 to wrap/2 about y, straight on either side of it. Nodes lie just so far out that the middle
 // of each link touches.
@@ -118,7 +120,7 @@ Capstan capstan(const CapstanCase& c) {
     const Vec3 half(0, 100 * diameter, 0);
     const sim::geometry::Capsule cylinder{-half, half, to_axis - 0.5 * diameter};
     const sim::thread::MovingCapsule capsules[] = {{cylinder, cylinder, 0}};
-    const int owners[] = {-1}, ticks = static_cast<int>(std::lround(way / (speed * c.tick)));
+    const int owners[] = {-1}, ticks = std::max(least_ticks, static_cast<int>(std::lround(way / (speed * c.tick))));
     std::vector<double> ratios;
     Capstan result;
     result.cost.links = last;

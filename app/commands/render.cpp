@@ -71,7 +71,8 @@ int render_command(const RenderOptions& options) {
     Snapshot snapshot = session.snapshot("");
     if (options.close) {
         auto near = session.knot_snapshot("");
-        if (!near) throw InputFault(options.source + ": error: --close: there is no knot at " + report::number(at_s, 3) + " s");
+        if (!near) near = session.bites_snapshot("");
+        if (!near) throw InputFault(options.source + ": error: --close: there is no knot and no bite at " + report::number(at_s, 3) + " s");
         snapshot = std::move(*near);
     }
     const auto png = picture_of(session, snapshot);

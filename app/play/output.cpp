@@ -56,7 +56,7 @@ std::vector<Vec3> field_of(const Session& session, const Snapshot& snapshot) {
 std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot) {
     static draw::Canvas canvas;
     draw::Picture picture = scene_picture(session, snapshot);
-    picture.camera = snapshot.knot ? draw::close_view(snapshot.knot->centre, snapshot.knot->radius)
+    picture.camera = snapshot.close_up ? draw::close_view(snapshot.close_up->centre, snapshot.close_up->radius)
                                    : draw::view_of(field_of(session, snapshot), aspect_of(picture));
     return draw::encode_png(draw::render(canvas, picture));
 }
@@ -73,7 +73,7 @@ void write_output(const std::filesystem::path& dir, const Session& session, cons
     for (const Snapshot& snapshot : session.key_moments())
         moments.push_back({snapshot.t_s, snapshot.caption, picture_of(session, snapshot)});
     write_file(dir / "report.html", report::report_html(result, moments));
-    const std::size_t close = session.key_moments().back().knot ? 1 : 0;  // the knot follows the field
+    const std::size_t close = session.key_moments().back().close_up ? 1 : 0;  // what is seen from near follows the field
     write_png(dir / "end.png", moments[moments.size() - 1 - close].png);
     if (close) write_png(dir / "end-close.png", moments.back().png);
     for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -65,14 +65,27 @@ std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
     for (double left = 1e-3 * tails_mm[1]; last > first && left > rest[last - 1] / 2; --last) left -= rest[last - 1];
     // A tight knot is four diameters across; its neighbourhood shows how it lies. Of a loose one show every loop.
     const double tight = 20 * drill_.world.thread.diameter;
-    KnotPlace place{(nodes[first] + nodes[last]) / 2, tight};
+    CloseUp place{(nodes[first] + nodes[last]) / 2, tight};
     if ((nodes[first] - nodes[last]).norm() > tight) {
         place.centre = std::accumulate(&nodes[first], &nodes[last], Vec3(Vec3::Zero())) / static_cast<double>(last - first);
         for (std::size_t i = first; i <= last; ++i)
             place.radius = std::max(place.radius, (nodes[i] - place.centre).norm());
     }
     Snapshot near = snapshot(std::move(caption));
-    near.knot = place;
+    near.close_up = place;
+    return near;
+}
+
+std::optional<Snapshot> Session::bites_snapshot(std::string caption) const {
+    std::vector<Vec3> holes;
+    for (const auto& vessel : world_.vessels())
+        for (int hole = 0; hole < vessel.skin.holes(); ++hole) holes.push_back(vessel.skin.centre(hole));
+    if (holes.empty()) return {};
+    CloseUp place{std::accumulate(holes.begin(), holes.end(), Vec3(Vec3::Zero())) / static_cast<double>(holes.size()), 0};
+    for (const Vec3& hole : holes) place.radius = std::max(place.radius, (hole - place.centre).norm());
+    place.radius += 20 * drill_.world.thread.diameter;  // as about a tight knot
+    Snapshot near = snapshot(std::move(caption));
+    near.close_up = place;
     return near;
 }
 
@@ -120,6 +133,7 @@ Result Session::finish() {
     key_moments_.push_back(snapshot("the end"));
     // Looking for the knot names it and measures its tails, which are scored below.
     if (auto near = knot_snapshot("the knot at the end")) key_moments_.push_back(std::move(*near));
+    else if (auto bites = bites_snapshot("the bites at the end")) key_moments_.push_back(std::move(*bites));
     world_.judge_sewing();
     const auto& measures = world_.measures();
     const auto& worst = world_.worst();

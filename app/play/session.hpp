@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// A ball about a knot, loose or tight.
-struct KnotPlace {
+/// A ball about what is to be seen from near.
+struct CloseUp {
     sim::geometry::Vec3 centre;
     double radius;  ///< [m]
 };
@@ -23,7 +23,7 @@ struct Snapshot {
     std::vector<instruments::ToolInput> tools;
     std::vector<assets::Mesh> vessels;
     std::vector<sim::geometry::Vec3> needle;  ///< From its tail to its tip; none: empty.
-    std::optional<KnotPlace> knot;  ///< Where to look from near; none: the whole field is of interest.
+    std::optional<CloseUp> close_up;  ///< None: the whole field is of interest.
 };
 
 /// One drill being played: what comes in at each tick decides everything; the rest is looking on.
@@ -43,6 +43,8 @@ class Session {
     Snapshot snapshot(std::string caption) const;
     /// The same from near the knot that is named now, if there is one.
     std::optional<Snapshot> knot_snapshot(std::string caption);
+    /// From near what the needle has bitten, if it has.
+    std::optional<Snapshot> bites_snapshot(std::string caption) const;
     const std::vector<Snapshot>& key_moments() const { return key_moments_; }
 
   private:
