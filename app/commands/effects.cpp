@@ -156,27 +156,34 @@ Effect tissue(const Drill& drill) {
             on ? "0.3 ms, a step of one vessel a tick" : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
-Effect tear(const Rod& rod) {
+bool gives_way(const Drill& drill) {
+    return std::any_of(drill.world.vessels.begin(), drill.world.vessels.end(), [](const auto& vessel) { return vessel.is_soft; });
+}
+
+Effect tear(const Drill& drill, const Rod& rod) {
+    const bool on = gives_way(drill);
     return {"tear",
-            false,
+            on,
             "breaking load / retention",
             rod.break_force / retention_N,
-            text("a 0.4 mm wall should tear at about %.2f N at a 2 mm bite, %s; here it never does", retention_N,
-                 rod.break_force > retention_N ? "before this thread breaks" : "after this thread breaks"),
-            "would cost a threshold per puncture"};
+            text("a 0.4 mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", retention_N,
+                 rod.break_force > retention_N ? "before this thread breaks" : "after this thread breaks",
+                 on ? "each bite does by its own size" : "it never does"),
+            on ? "a threshold per puncture" : "would cost a threshold per puncture"};
 }
 
 Effect leak(const Drill& drill) {
     double load = 0;
     for (const auto& vessel : drill.world.vessels)
         if (vessel.mesh_file.empty()) load = std::max(load, pressure_Pa * vessel.diameter / 4 * 1e-3);
+    const bool on = gives_way(drill);
     return {"leak",
-            false,
+            on,
             "p R / 2 * 1 mm / retention",
             load / retention_N,
             text("blood pressure (100 mmHg) should load a stitch each millimetre with %.4f N, %.1f %% of what tears it",
                  load, 100 * load / retention_N),
-            "would cost one evaluation at the end"};
+            on ? "one evaluation at the end" : "would cost one evaluation at the end"};
 }
 
 // A rope that slides around an angle keeps 1 / e^(mu angle) of its tension (capstan); a throw is about 2 pi.
@@ -223,7 +230,7 @@ std::vector<Effect> effects_of(const Drill& drill) {
             extension(rod),
             plastic_set(rod),
             tissue(drill),
-            tear(rod),
+            tear(drill, rod),
             leak(drill),
             inertia(rod)};
     const auto& thread = drill.world.thread;

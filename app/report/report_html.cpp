@@ -38,8 +38,9 @@ std::string verdict(const Result& result) {
         out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(result.items.size()) +
                " items outside their band.</p>\n";
     if (!result.surgical.empty() || !result.knot.empty()) {
-        out += "<p class=\"tied\">Tied: <strong>" + escaped(result.surgical.empty() ? result.knot : result.surgical) +
-               "</strong>";
+        const bool is_tied = !result.surgical.empty() || result.knot != "0_1";
+        out += is_tied ? "<p class=\"tied\">Tied: <strong>" + escaped(result.surgical.empty() ? result.knot : result.surgical) + "</strong>"
+                       : "<p class=\"tied\">Nothing is tied";
         if (!result.throws.empty()) out += ", throws " + escaped(result.throws);
         if (!result.surgical.empty() && result.knot != "0_1") out += ", in knot theory " + escaped(result.knot);
         out += ".</p>\n";

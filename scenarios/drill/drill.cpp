@@ -272,6 +272,7 @@ class Reader {
         if (entries.contains("time_s")) bands.time_s = band(entries["time_s"], "/bands/time_s");
         if (entries.contains("tension_N")) bands.tension_N = band(entries["tension_N"], "/bands/tension_N");
         bands.pass_throughs = band(entries["pass_throughs"], "/bands/pass_throughs");
+        if (entries.contains("bites")) bands.bites = band(entries["bites"], "/bands/bites");
         bands.path_mm = bands_per_instrument("path_mm");
         bands.grasps = bands_per_instrument("grasps");
         bands.lag_mm = bands_per_instrument("lag_mm");

@@ -28,7 +28,7 @@ struct Goal {
 
 /// Bands of scored items, in the unit of the name. Absent: the item is shown, not judged. Lists: one per instrument.
 struct Bands {
-    std::optional<Band> time_s, tension_N, pass_throughs;
+    std::optional<Band> time_s, tension_N, pass_throughs, bites;
     std::vector<std::optional<Band>> path_mm, grasps, lag_mm;
 };
 

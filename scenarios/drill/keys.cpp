@@ -178,6 +178,7 @@ Shape bands() {
          {"lag_mm",
           per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a jaw's length.", 1000, "mm"), false,
           json::object()},
+         {"bites", band("Bites through a whole wall that hold.", 1000, ""), false},
          {"pass_throughs", band("Times the thread passed through something.", 1e9, ""), false, json{{"max", 0}}}});
 }
 

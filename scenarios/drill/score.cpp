@@ -183,7 +183,7 @@ void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
 }
 
 // A bite goes between outside and lumen of one wall; the rest is shown.
-void score_bites(const world::Measures& measures, std::vector<ScoreItem>& items) {
+void score_bites(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     for (std::size_t i = 0; i < measures.bites.size(); ++i) {
         const world::BiteMeasure& bite = measures.bites[i];
         const std::string number = std::to_string(i + 1), of = ", " + bite.vessel;
@@ -197,6 +197,11 @@ void score_bites(const world::Measures& measures, std::vector<ScoreItem>& items)
         items.push_back(judged({"bite_size_" + number, "Bite " + number + of + ", from the cut", "mm", bite.size_mm, 2, measures.duration_s, "", ""}, {}));
         items.push_back(judged({"bite_angle_" + number, "Bite " + number + of + ", needle to wall", "degrees", bite.to_wall_deg, 0, measures.duration_s, "", ""}, {}));
     }
+    if (!drill.bands.bites) return;
+    const auto held = std::count_if(measures.bites.begin(), measures.bites.end(), [](const auto& bite) { return !bite.to.empty() && !bite.partial && !bite.torn; });
+    items.push_back(judged({"bites", "Bites through a whole wall", "", static_cast<double>(held), 0, measures.duration_s,
+                            "More bites than needed: each weakens the wall.", "Bites are missing, or do not hold: see them one by one."},
+                           drill.bands.bites));
 }
 
 // Shown, not judged: a drill of one bite leaves ends that gape.
@@ -261,7 +266,7 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
         score_around(goal, measures, items);
     }
     score_lie(measures, items);
-    score_bites(measures, items);
+    score_bites(drill, measures, items);
     score_join(measures, items);
     items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
                             "The drill took longer than allowed.", "The drill was ended before a tie can be done."},

@@ -147,3 +147,19 @@ TEST(Score, ALapseTellsItsNumber) {
     EXPECT_EQ(item("lapse: overlap", m).value, "no");
     EXPECT_EQ(item("lapse: overlap", m).why, "");
 }
+
+// A suture with a stitch left out passed: nothing asked for it. What runs along in the wall or was torn out does not count.
+TEST(Score, BitesThatHoldAreCounted) {
+    std::string text = sample::drill;
+    const std::string bands = "\"bands\": {";
+    text.replace(text.find(bands), bands.size(), bands + "\"bites\": [2, 2], ");
+    world::Measures m = good();
+    m.bites = {{"left", "outer", "inner"}, {"right", "inner", "outer"}};
+    EXPECT_TRUE(item("bites", m, text).passed);
+    m.bites[1].torn = true;
+    EXPECT_FALSE(item("bites", m, text).passed);
+    m.bites[1] = {"right", "inner", ""};
+    EXPECT_EQ(item("bites", m, text).value, "1");
+    m.bites.clear();
+    EXPECT_FALSE(item("bites", m, text).passed);
+}
