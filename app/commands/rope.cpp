@@ -90,6 +90,20 @@ void resample(rope::Experiment& experiment, int links, const std::string& motion
     experiment.nodes = sim::thread::resample(given, links);
 }
 
+// Across a link of a thirtieth of the radius its neighbours have passed each other: they are too near along the thread to be contacts, and bends are limited
+// node by node, to no better than such a link is long. Of a sixth they have not.
+void check_links(const RopeOptions& options, const std::vector<Vec3>& nodes) {
+    const double least_mm = options.radius_mm / 10;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        const double mm = 1000 * (nodes[i + 1] - nodes[i]).norm();
+        if (mm >= least_mm) continue;
+        std::ostringstream what;
+        what << "vertices " << i << " and " << i + 1 << " are " << mm << " mm apart, expected at least " << least_mm
+             << " mm, a tenth of the radius: leave one out, or ask for even links by --links";
+        fail(options.curve, what.str());
+    }
+}
+
 rope::Experiment read(const RopeOptions& options) {
     rope::Experiment experiment;
     const double radius = options.radius_mm / 1000;
@@ -104,6 +118,7 @@ rope::Experiment read(const RopeOptions& options) {
     experiment.nodes = read_curve(options.curve);
     experiment.motion = rope::load_motion(options.motion, static_cast<int>(experiment.nodes.size()));
     if (options.links > 0) resample(experiment, static_cast<int>(options.links), options.motion);
+    check_links(options, experiment.nodes);
     if (experiment.thread.elastic && experiment.nodes.size() < 3)
         fail(options.links > 0 ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");
     experiment.tick = options.tick_s;

@@ -58,6 +58,7 @@ std::vector<Case> rope_cases() {
     };
     with_curve("one vertex", "1 2 3\n");
     with_curve("NaN", "0 0 0\nnan 0 0\n");
+    with_curve("a link far shorter than the thread is thick", "0 0 0\n1 0 0\n1.0001 0 0\n2 0 0\n");
     with_curve("infinite", "0 0 0\n1e999 0 0\n");
     with_curve("two numbers", "0 0 0\n1 2\n");
     with_curve("four numbers", "0 0 0\n1 2 3 4\n");
