@@ -136,6 +136,12 @@ Effect plastic_set(const Rod& rod) {
             1};
 }
 
+const scenarios::world::VesselDef* soft_vessel(const Drill& drill) {
+    const auto& vessels = drill.world.vessels;
+    const auto soft = std::find_if(vessels.begin(), vessels.end(), [](const auto& vessel) { return vessel.is_soft; });
+    return soft == vessels.end() ? nullptr : &*soft;
+}
+
 // Local strain of a wall pulled over 1 mm of width: F / (E t w).
 Effect tissue(const Drill& drill) {
     double wall = 0;
@@ -144,8 +150,8 @@ Effect tissue(const Drill& drill) {
     if (wall == 0)
         return {"tissue",       false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate",
                 "costs nothing"};
-    const auto soft = std::find_if(drill.world.vessels.begin(), drill.world.vessels.end(), [](const auto& vessel) { return vessel.is_soft; });
-    const bool on = soft != drill.world.vessels.end();
+    const auto* soft = soft_vessel(drill);
+    const bool on = soft != nullptr;
     const double strain = tissue_pull_N / ((on ? soft->young_modulus : wall_modulus) * wall * 1e-3);
     return {"tissue",
             on,
@@ -156,12 +162,8 @@ Effect tissue(const Drill& drill) {
             on ? "0.3 ms, a step of one vessel a tick" : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
-bool gives_way(const Drill& drill) {
-    return std::any_of(drill.world.vessels.begin(), drill.world.vessels.end(), [](const auto& vessel) { return vessel.is_soft; });
-}
-
 Effect tear(const Drill& drill, const Rod& rod) {
-    const bool on = gives_way(drill);
+    const bool on = soft_vessel(drill) != nullptr;
     return {"tear",
             on,
             "breaking load / retention",
@@ -176,7 +178,7 @@ Effect leak(const Drill& drill) {
     double load = 0;
     for (const auto& vessel : drill.world.vessels)
         if (vessel.mesh_file.empty()) load = std::max(load, pressure_Pa * vessel.diameter / 4 * 1e-3);
-    const bool on = gives_way(drill);
+    const bool on = soft_vessel(drill) != nullptr;
     return {"leak",
             on,
             "p R / 2 * 1 mm / retention",

@@ -70,8 +70,7 @@ int render_command(const RenderOptions& options) {
     }
     Snapshot snapshot = session.snapshot("");
     if (options.close) {
-        auto near = session.knot_snapshot("");
-        if (!near) near = session.bites_snapshot("");
+        auto near = session.close_snapshot();
         if (!near) throw InputFault(options.source + ": error: --close: there is no knot and no bite at " + report::number(at_s, 3) + " s");
         snapshot = std::move(*near);
     }

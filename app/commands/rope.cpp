@@ -90,16 +90,18 @@ void resample(rope::Experiment& experiment, int links, const std::string& motion
     experiment.nodes = sim::thread::resample(given, links);
 }
 
-// Across a link of a thirtieth of the radius its neighbours have passed each other: they are too near along the thread to be contacts, and bends are limited
-// node by node, to no better than such a link is long. Of a sixth they have not.
+// Of an ftl thread the neighbours of one link of a thirtieth of the radius, far longer than it, have passed each other: they are too near along the thread to
+// be contacts, and bends are limited node by node, to no better than such a link is long. Of a sixth they have not, nor where all links are as short.
 void check_links(const RopeOptions& options, const std::vector<Vec3>& nodes) {
-    const double least_mm = options.radius_mm / 10;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        const double mm = 1000 * (nodes[i + 1] - nodes[i]).norm();
-        if (mm >= least_mm) continue;
+    const double least = 1e-3 * options.radius_mm / 10;
+    std::vector<double> links;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) links.push_back((nodes[i + 1] - nodes[i]).norm());
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const double longer = std::max(i > 0 ? links[i - 1] : 0, i + 1 < links.size() ? links[i + 1] : 0);
+        if (links[i] >= least || links[i] >= longer / 10) continue;
         std::ostringstream what;
-        what << "vertices " << i << " and " << i + 1 << " are " << mm << " mm apart, expected at least " << least_mm
-             << " mm, a tenth of the radius: leave one out, or ask for even links by --links";
+        what << "vertices " << i << " and " << i + 1 << " are " << 1000 * links[i] << " mm apart, the next " << 1000 * longer << " mm: expected at least "
+             << 1000 * least << " mm, a tenth of the radius, or even links: leave one out, or ask for them by --links";
         fail(options.curve, what.str());
     }
 }
@@ -118,7 +120,7 @@ rope::Experiment read(const RopeOptions& options) {
     experiment.nodes = read_curve(options.curve);
     experiment.motion = rope::load_motion(options.motion, static_cast<int>(experiment.nodes.size()));
     if (options.links > 0) resample(experiment, static_cast<int>(options.links), options.motion);
-    check_links(options, experiment.nodes);
+    if (!experiment.thread.elastic) check_links(options, experiment.nodes);
     if (experiment.thread.elastic && experiment.nodes.size() < 3)
         fail(options.links > 0 ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");
     experiment.tick = options.tick_s;

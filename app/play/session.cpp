@@ -51,6 +51,12 @@ Snapshot Session::snapshot(std::string caption) const {
     return snapshot;
 }
 
+static CloseUp about(std::span<const Vec3> points) {
+    CloseUp place{std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size()), 0};
+    for (const Vec3& point : points) place.radius = std::max(place.radius, (point - place.centre).norm());
+    return place;
+}
+
 // Both strands leave a knot at the ends of the piece of thread that it takes up.
 std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
     world_.name_knot_now();
@@ -67,9 +73,8 @@ std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
     const double tight = 20 * drill_.world.thread.diameter;
     CloseUp place{(nodes[first] + nodes[last]) / 2, tight};
     if ((nodes[first] - nodes[last]).norm() > tight) {
-        place.centre = std::accumulate(&nodes[first], &nodes[last], Vec3(Vec3::Zero())) / static_cast<double>(last - first);
-        for (std::size_t i = first; i <= last; ++i)
-            place.radius = std::max(place.radius, (nodes[i] - place.centre).norm());
+        place = about({&nodes[first], &nodes[last] + 1});
+        place.radius = std::max(place.radius, tight);
     }
     Snapshot near = snapshot(std::move(caption));
     near.close_up = place;
@@ -81,12 +86,15 @@ std::optional<Snapshot> Session::bites_snapshot(std::string caption) const {
     for (const auto& vessel : world_.vessels())
         for (int hole = 0; hole < vessel.skin.holes(); ++hole) holes.push_back(vessel.skin.centre(hole));
     if (holes.empty()) return {};
-    CloseUp place{std::accumulate(holes.begin(), holes.end(), Vec3(Vec3::Zero())) / static_cast<double>(holes.size()), 0};
-    for (const Vec3& hole : holes) place.radius = std::max(place.radius, (hole - place.centre).norm());
-    place.radius += 20 * drill_.world.thread.diameter;  // as about a tight knot
     Snapshot near = snapshot(std::move(caption));
-    near.close_up = place;
+    near.close_up = about(holes);
+    near.close_up->radius += 20 * drill_.world.thread.diameter;  // as about a tight knot
     return near;
+}
+
+std::optional<Snapshot> Session::close_snapshot() {
+    if (auto knot = knot_snapshot("the knot at the end")) return knot;
+    return bites_snapshot("the bites at the end");
 }
 
 void Session::sample() {
@@ -132,8 +140,7 @@ static scenarios::drill::Percentiles percentiles(std::vector<double> values) {
 Result Session::finish() {
     key_moments_.push_back(snapshot("the end"));
     // Looking for the knot names it and measures its tails, which are scored below.
-    if (auto near = knot_snapshot("the knot at the end")) key_moments_.push_back(std::move(*near));
-    else if (auto bites = bites_snapshot("the bites at the end")) key_moments_.push_back(std::move(*bites));
+    if (auto near = close_snapshot()) key_moments_.push_back(std::move(*near));
     world_.judge_sewing();
     const auto& measures = world_.measures();
     const auto& worst = world_.worst();

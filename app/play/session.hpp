@@ -41,13 +41,13 @@ class Session {
     const scenarios::drill::Drill& drill() const { return drill_; }
     const scenarios::world::World& world() const { return world_; }
     Snapshot snapshot(std::string caption) const;
-    /// The same from near the knot that is named now, if there is one.
-    std::optional<Snapshot> knot_snapshot(std::string caption);
-    /// From near what the needle has bitten, if it has.
-    std::optional<Snapshot> bites_snapshot(std::string caption) const;
+    /// The same from near the knot that is named now; where there is none from near what the needle has bitten, if it has.
+    std::optional<Snapshot> close_snapshot();
     const std::vector<Snapshot>& key_moments() const { return key_moments_; }
 
   private:
+    std::optional<Snapshot> knot_snapshot(std::string caption);
+    std::optional<Snapshot> bites_snapshot(std::string caption) const;
     void sample();
     void watch_events();
 

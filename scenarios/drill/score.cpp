@@ -184,6 +184,7 @@ void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
 
 // A bite goes between outside and lumen of one wall; the rest is shown.
 void score_bites(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    double held = 0;
     for (std::size_t i = 0; i < measures.bites.size(); ++i) {
         const world::BiteMeasure& bite = measures.bites[i];
         const std::string number = std::to_string(i + 1), of = ", " + bite.vessel;
@@ -193,13 +194,13 @@ void score_bites(const Drill& drill, const world::Measures& measures, std::vecto
         else if (bite.both_walls) item.why = "The needle took the wall across as well, which shuts the lumen. Keep its tip in sight.";
         else if (bite.torn) item.why = "The stitch was torn out to the cut. Pull in the direction of the stitch, and less.";
         item.passed = item.why.empty();
+        held += item.passed;
         items.push_back(item);
         items.push_back(judged({"bite_size_" + number, "Bite " + number + of + ", from the cut", "mm", bite.size_mm, 2, measures.duration_s, "", ""}, {}));
         items.push_back(judged({"bite_angle_" + number, "Bite " + number + of + ", needle to wall", "degrees", bite.to_wall_deg, 0, measures.duration_s, "", ""}, {}));
     }
     if (!drill.bands.bites) return;
-    const auto held = std::count_if(measures.bites.begin(), measures.bites.end(), [](const auto& bite) { return !bite.to.empty() && !bite.partial && !bite.torn; });
-    items.push_back(judged({"bites", "Bites through a whole wall", "", static_cast<double>(held), 0, measures.duration_s,
+    items.push_back(judged({"bites", "Bites through one whole wall", "", held, 0, measures.duration_s,
                             "More bites than needed: each weakens the wall.", "Bites are missing, or do not hold: see them one by one."},
                            drill.bands.bites));
 }

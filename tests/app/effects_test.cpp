@@ -52,6 +52,13 @@ TEST(Effects, AnElasticThreadBendsStretchesAndSwings) {
     for (const char* name : {"gravity", "twist", "plastic_set"}) EXPECT_FALSE(effect(name, text).on) << name;
 }
 
+// What a soft wall does by itself is told as done: bites tear out and joins leak where, and only where, walls give way.
+TEST(Effects, SoftWallsTearAndLeak) {
+    std::string text = sample::drill;
+    text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
+    for (const char* name : {"tissue", "tear", "leak"}) EXPECT_TRUE(effect(name, text).on) << name;
+}
+
 // What is written in the drill is what is on, each by itself.
 TEST(Effects, EachIsOnWhereTheDrillSaysSo) {
     const auto on = [](const std::string& name, const std::string& effects) {

@@ -125,6 +125,16 @@ TEST(Report, ShowsEveryItemWithBandMomentAndReason) {
     EXPECT_TRUE(has(html, "2 of 4 items"));
 }
 
+// "Tied: 0_1" would be read as a knot of that name.
+TEST(Report, SaysThatNothingIsTied) {
+    Result r = tied();
+    EXPECT_FALSE(has(report_html(r, {}), "Nothing is tied"));
+    r.surgical.clear();
+    r.knot = "0_1";
+    EXPECT_TRUE(has(report_html(r, {}), "Nothing is tied"));
+    EXPECT_FALSE(has(report_html(r, {}), "Tied:"));
+}
+
 // The page is mailed and opened on hospital machines: it must not ask for anything outside itself.
 TEST(Report, NeedsNothingButItself) {
     const std::string html = report_html(tied(), {{3, "Grasp", {1, 2, 3}}});

@@ -182,12 +182,12 @@ TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
 
 // The first two of eight bites, an eighth of a turn apart, each led by a frame of its own: all of it takes eight minutes.
 TEST(Drills, ARunningSutureGoesRoundTheVessel) {
-    if (sanitized) GTEST_SKIP();
-    const Played played = play("end-to-end-running", "--input " + motion_until("end-to-end-running", 40).string() + " --out " + scratch("end-to-end-running").string());
+    const double until = sanitized ? 2.5 : 40;  // under the sanitizers the needle through the first wall
+    const Played played = play("end-to-end-running", "--input " + motion_until("end-to-end-running", until).string() + " --out " + scratch("end-to-end-running").string());
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
     std::map<std::string, int> count;
     for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
-    for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], 4) << kind;
+    for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], sanitized ? kind[0] != 'd' : 4) << kind;
     EXPECT_EQ(count["torn"] + count["break"] + count["withdrawn"] + count["back_in"], 0);
     EXPECT_TRUE(fs::exists(scratch("end-to-end-running") / "end-close.png")) << "where no knot is, the bites are looked at";
 }

@@ -160,6 +160,9 @@ TEST(Score, BitesThatHoldAreCounted) {
     EXPECT_FALSE(item("bites", m, text).passed);
     m.bites[1] = {"right", "inner", ""};
     EXPECT_EQ(item("bites", m, text).value, "1");
+    m.bites[1] = {"right", "inner", "outer"};
+    m.bites[1].both_walls = true;
+    EXPECT_EQ(item("bites", m, text).value, "1");
     m.bites.clear();
     EXPECT_FALSE(item("bites", m, text).passed);
 }
