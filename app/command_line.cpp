@@ -126,7 +126,7 @@ void add_rope(CLI::App& program, Chosen& chosen) {
 void add_bench(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("bench", "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
     auto options = std::make_shared<BenchOptions>();
-    command->add_option("SUITE", options->suite, "What to measure: speed, speed-vs-error, accuracy, tissue, stability, elastic-ties or knots")->required();
+    command->add_option("SUITE", options->suite, "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties or knots")->required();
     command->add_flag("--quick", options->quick, "Once and without the longest, in seconds");
     command->add_option("--plot", options->plot, "Pictures of speed against error to write: a file (.svg), or of speed-vs-error a folder");
     command->add_flag("--json", options->json, "One JSON object on stdout");

@@ -11,10 +11,17 @@ constexpr ToolShape forceps_shape{1.5e-3, 80e-3, 0.2e-3, 12e-3, 0.427, 1.0};
 constexpr ToolShape needle_holder_shape{1.6e-3, 80e-3, 0.3e-3, 10e-3, 0.349, 4.0};
 // Spring microscissors of Vannas' pattern: blades of 6 mm that end in tips 0.2 mm across, 25 degrees open.
 constexpr ToolShape scissors_shape{1.5e-3, 80e-3, 0.1e-3, 6e-3, 0.436, 0.0};
+// Double clamp after Acland: a rail of 5 mm, on which a screw brings the clamps together.
+constexpr ToolShape approximator_shape{1.5e-3, 30e-3, 0.4e-3, 20e-3, 0.256, 0.0};
 
 const ToolShape& shape_of(Kind kind) {
+    if (kind == Kind::approximator) return approximator_shape;
     if (kind == Kind::scissors) return scissors_shape;
     return kind == Kind::forceps ? forceps_shape : needle_holder_shape;
+}
+
+double opening_of(const ToolShape& shape, double jaw) {
+    return (shape.jaw_length - shape.jaw_radius) * sim::geometry::portable_sin_cos(0.5 * shape.jaw_opening * jaw).sin;
 }
 
 std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pose, double jaw) {

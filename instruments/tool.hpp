@@ -10,7 +10,8 @@ using sim::geometry::Capsule;
 using sim::geometry::Quat;
 using sim::geometry::Vec3;
 
-enum class Kind { forceps, needle_holder, scissors };
+/// An approximator holds vessels by clamps on arms from the tips of its jaws; closing it brings them together. The arms are not simulated: they meet nothing.
+enum class Kind { forceps, needle_holder, scissors, approximator };
 
 /// Frame of a tool: origin midway between the closed jaw tips, +z from the handle towards the tips, the jaws open
 /// along +-x, the hinge turns about y.
@@ -38,6 +39,9 @@ const ToolShape& shape_of(Kind kind);
 
 enum Part : int { shaft = 0, jaw_plus = 1, jaw_minus = 2 };
 constexpr int part_count = 3;
+
+/// How far the jaws' tips are from the tool's z axis beyond a radius, at an opening of `jaw` (0..1) [m].
+double opening_of(const ToolShape& shape, double jaw);
 
 /// The tool's parts in the world frame at a pose with its jaws at `jaw` (0..1). Pure; no allocation.
 std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pose, double jaw);

@@ -46,10 +46,12 @@ Tied ties(std::uint64_t seed, const EachTick& each = {}, bool elastic = false);
 /// One line on a seed that went wrong.
 std::string words(std::uint64_t seed, const Tie& tie, const Tied& tied);
 
+/// Of some of them, for `carrel bench stability`.
 std::vector<Row> ties_rows(bool quick);
-std::vector<Row> elastic_ties_rows(int seeds);
 
-/// A thousand ties of an elastic thread; `quick`: twenty.
+/// Ten thousand ties; `quick`: two hundred. `progress` is told each seed that went wrong.
+Suite ties_suite(bool quick, const Progress& progress);
+/// A thousand of an elastic thread; `quick`: twenty.
 Suite elastic_ties_suite(bool quick, const Progress& progress);
 
 }  // namespace app::bench

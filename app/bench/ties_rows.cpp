@@ -20,11 +20,12 @@ struct Tally {
     std::vector<double> left;  ///< Where there was no friction: a thread that follows its hands comes as tight as an ideal one.
 };
 
-Tally tally(int seeds, bool elastic) {
+Tally tally(int seeds, bool elastic, const Progress& progress) {
     const Stopwatch watch;
     Tally all;
     for (int seed = 0; seed < seeds; ++seed) {
         const Tied tied = ties(static_cast<std::uint64_t>(seed), {}, elastic);
+        if (progress && !tied.good()) progress(words(static_cast<std::uint64_t>(seed), tie_of(static_cast<std::uint64_t>(seed)), tied));
         all.passes += tied.pass_throughs;
         all.changed += tied.changed();
         all.stretch = std::max(all.stretch, tied.stretch);
@@ -40,8 +41,8 @@ std::string words_of(int seeds, bool elastic) {
 
 }  // namespace
 
-std::vector<Row> elastic_ties_rows(int seeds) {
-    const Tally all = tally(seeds, true);
+static std::vector<Row> elastic_ties_rows(int seeds, const Progress& progress) {
+    const Tally all = tally(seeds, true, progress);
     const std::string what = words_of(seeds, true);
     return {{.id = "elastic-ties-passes", .what = what + "pass-throughs", .value = all.passes, .unit = "count", .bound = 0, .error = {},
              .seconds = all.seconds},
@@ -51,19 +52,23 @@ std::vector<Row> elastic_ties_rows(int seeds) {
              .unit = "share", .bound = 0.100001, .error = {}}};
 }
 
-Suite elastic_ties_suite(bool quick, const Progress&) { return {"elastic-ties", elastic_ties_rows(quick ? 20 : 1000)}; }
-
-std::vector<Row> ties_rows(bool quick) {
-    const int seeds = quick ? 200 : 1000;
-    const Tally all = tally(seeds, false);
+static std::vector<Row> ftl_ties_rows(int seeds, const Progress& progress) {
+    const Tally all = tally(seeds, false, progress);
     const std::string what = words_of(seeds, false);
-    std::vector<Row> rows{
+    return {
         {.id = "ties-passes", .what = what + "pass-throughs", .value = all.passes, .unit = "count", .bound = 0, .error = {}, .seconds = all.seconds},
         {.id = "ties-changed", .what = what + "knots whose name changed", .value = all.changed, .unit = "count", .bound = 0, .error = {}},
         {.id = "ties-slack", .what = what + "without friction, what the knot takes up in the end over what it takes up tight; median",
          .value = percentile(all.left, 0.5), .unit = "ratio", .bound = {}, .error = {}},
         {.id = "ties-stretch", .what = what + "worst link at any time", .value = all.stretch, .unit = "share", .bound = {}, .error = {}}};
-    for (Row& row : elastic_ties_rows(quick ? 20 : 100)) rows.push_back(std::move(row));  // a second each: all 1000 are a suite of their own
+}
+
+Suite ties_suite(bool quick, const Progress& progress) { return {"ties", ftl_ties_rows(quick ? 200 : 10000, progress)}; }
+Suite elastic_ties_suite(bool quick, const Progress& progress) { return {"elastic-ties", elastic_ties_rows(quick ? 20 : 1000, progress)}; }
+
+std::vector<Row> ties_rows(bool quick) {
+    std::vector<Row> rows = ftl_ties_rows(quick ? 200 : 1000, {});  // all are suites of their own
+    for (Row& row : elastic_ties_rows(quick ? 20 : 100, {})) rows.push_back(std::move(row));
     return rows;
 }
 

@@ -50,6 +50,7 @@ constexpr Known suites[] = {
     {"accuracy", bench::accuracy_suite},
     {"tissue", tissue},
     {"stability", stability},
+    {"ties", bench::ties_suite},
     {"elastic-ties", bench::elastic_ties_suite},
     {"knots", naming},
 };

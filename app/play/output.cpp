@@ -25,6 +25,7 @@ draw::Picture scene_picture(const Session& session, const Snapshot& snapshot) {
         picture.tools.push_back({session.drill().world.instruments[i].kind, snapshot.tools[i].pose, snapshot.tools[i].jaw});
     picture.vessels = snapshot.vessels;
     picture.needle = snapshot.needle;
+    picture.wires = snapshot.clamps;
     picture.needle_radius = session.drill().world.needle.wire;
     return picture;
 }

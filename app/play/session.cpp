@@ -1,8 +1,10 @@
 #include "app/play/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <numbers>
 #include <numeric>
 
 #include "app/machine.hpp"
@@ -35,8 +37,31 @@ void Session::tick(std::span<const instruments::ToolInput> inputs) {
     watch_events();
 }
 
+static CloseUp about(std::span<const Vec3> points) {
+    CloseUp place{std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size()), 0};
+    for (const Vec3& point : points) place.radius = std::max(place.radius, (point - place.centre).norm());
+    return place;
+}
+
+// From the jaw that leads it to a vessel's end, and round that.
+static std::vector<Vec3> clamp_about(const scenarios::world::SoftVessel& vessel, const scenarios::world::Tool& tool) {
+    std::vector<Vec3> held;
+    for (const tissue::Hold& hold : vessel.clamps) held.push_back(hold.target);
+    const CloseUp end = about(held);
+    const auto jaw = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw)[vessel.side > 0 ? instruments::jaw_plus : instruments::jaw_minus].b;
+    const Vec3 along = tool.now.pose.rotation * Vec3::UnitX(), to_jaw = jaw - end.centre;
+    const Vec3 nearest = (to_jaw - along.dot(to_jaw) * along).normalized(), across = along.cross(nearest);
+    std::vector<Vec3> wire{jaw};
+    constexpr int pieces = 36;
+    for (int k = 0; k <= pieces; ++k) {
+        const double angle = 2 * std::numbers::pi * k / pieces;
+        wire.push_back(end.centre + end.radius * (std::cos(angle) * nearest + std::sin(angle) * across));
+    }
+    return wire;
+}
+
 Snapshot Session::snapshot(std::string caption) const {
-    Snapshot snapshot{world_.time_s(), std::move(caption), world_.curves(), {}, rigid_, {}, {}};
+    Snapshot snapshot{world_.time_s(), std::move(caption), world_.curves(), {}, rigid_, {}, {}, {}};
     for (const auto& tool : world_.tools()) {
         const bool cuts = tool.def.kind == instruments::Kind::scissors && tool.closed;  // what is between its blades then is no more
         snapshot.tools.push_back({tool.now.pose, cuts ? tool.asked.jaw : tool.now.jaw});
@@ -45,16 +70,11 @@ Snapshot Session::snapshot(std::string caption) const {
         assets::Mesh& mesh = snapshot.vessels.emplace_back();
         mesh.vertices.assign(vessel.tissue.nodes().begin(), vessel.tissue.nodes().end());
         for (const tissue::Face& face : vessel.tissue.rest().faces) mesh.triangles.push_back(face.nodes);
+        if (vessel.held_by >= 0) snapshot.clamps.push_back(clamp_about(vessel, world_.tools()[static_cast<std::size_t>(vessel.held_by)]));
     }
     constexpr int pieces = 48;
     for (int k = 0; world_.has_needle() && k <= pieces; ++k) snapshot.needle.push_back(world_.needle().at(world_.needle().length() * k / pieces));
     return snapshot;
-}
-
-static CloseUp about(std::span<const Vec3> points) {
-    CloseUp place{std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size()), 0};
-    for (const Vec3& point : points) place.radius = std::max(place.radius, (point - place.centre).norm());
-    return place;
 }
 
 // Both strands leave a knot at the ends of the piece of thread that it takes up.

@@ -26,6 +26,7 @@ world::Vec3 point(const json& mm) {
 
 instruments::Kind kind_named(const std::string& name) {
     if (name == "scissors") return instruments::Kind::scissors;
+    if (name == "approximator") return instruments::Kind::approximator;
     return name == "needle_holder" ? instruments::Kind::needle_holder : instruments::Kind::forceps;
 }
 
@@ -44,6 +45,7 @@ class Reader {
         if (filled_.contains("motion")) drill_.motion = base_ / filled_["motion"].get<std::string>();
         read_instruments();
         read_vessels();
+        check_approximators();
         read_thread();
         read_effects();
         read_goals();
@@ -85,6 +87,23 @@ class Reader {
         }
     }
 
+    int holder_of(const world::VesselDef& vessel, const std::string& name, const std::string& pointer) const {
+        const auto& all = drill_.world.instruments;
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& of) { return of.name == name && of.kind == instruments::Kind::approximator; });
+        if (found == all.end()) document_.fail(pointer, "no approximator is named \"" + name + "\", expected an instrument of that kind");
+        if (!vessel.is_soft) document_.fail(pointer, "a rigid vessel stays where it is, expected \"tissue\": \"elastic\" in effects, or no \"held_by\"");
+        if (vessel.start_held == vessel.end_held) document_.fail(pointer, "expected one end in \"held\", so that the other can be brought to another vessel");
+        return static_cast<int>(found - all.begin());
+    }
+
+    void check_approximators() const {
+        const auto& world = drill_.world;
+        for (std::size_t i = 0; i < world.instruments.size(); ++i)
+            if (world.instruments[i].kind == instruments::Kind::approximator &&
+                std::none_of(world.vessels.begin(), world.vessels.end(), [&](const auto& vessel) { return vessel.held_by == static_cast<int>(i); }))
+                document_.fail("/instruments/" + std::to_string(i), "holds no vessel, expected \"held_by\": \"" + world.instruments[i].name + "\" in one");
+    }
+
     void read_vessels() {
         auto& vessels = drill_.world.vessels;
         for (const json& entry : filled_["vessels"]) {
@@ -102,6 +121,7 @@ class Reader {
             vessel.young_modulus = 1e6 * entry["young_MPa"].get<double>();
             vessel.start_held = vessel.end_held = false;
             for (const json& end : entry["held"]) (end == "start" ? vessel.start_held : vessel.end_held) = true;
+            if (entry.contains("held_by")) vessel.held_by = holder_of(vessel, entry["held_by"], place + "/held_by");
             if (entry.contains("mesh")) {
                 const json& mesh = entry["mesh"];
                 if (mesh.contains("wall_mm") != vessel.is_soft)

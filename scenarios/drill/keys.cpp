@@ -129,6 +129,7 @@ Shape vessel() {
                 false, json::array({1, 0, 0})},
                {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
                 json::array({"start", "end"})},
+               {"held_by", name("Approximator whose clamps these are. Without it they stay where they are.")},
                {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1},
                {"puncture_N", quantity("Force at which a needle goes through a wall that gives way.", 0.001, 10, "N"), false, 0.05}});
     shape.one_of = {"tube", "mesh"};
@@ -137,7 +138,8 @@ Shape vessel() {
 
 Shape instrument() {
     return group("A tool.", {{"name", name("As in motion files."), true},
-                             {"kind", choice("What it is. Scissors cut what they close on.", {"forceps", "needle_holder", "scissors"}), true}});
+                             {"kind", choice("What it is. Scissors cut what they close on. An approximator brings the vessels together that it holds, in its x, by closing; it grasps nothing else.",
+                                             {"forceps", "needle_holder", "scissors", "approximator"}), true}});
 }
 
 Shape effects() {
@@ -193,7 +195,7 @@ const Shape& drill_shape() {
                {"description", words("For people.")},
                {"thread", thread(), true},
                {"vessels", list("What is operated on.", 0, 16, vessel()), false, json::array()},
-               {"instruments", list("The tools: one a hand, of the one who ties and of an assistant.", 1, 4, instrument()), true},
+               {"instruments", list("The tools: one a hand, of the one who ties and of an assistant, and what is left in place.", 1, 5, instrument()), true},
                {"effects", effects(), false, json::object()},
                {"goals", list("At most one in this version.", 0, 1, goal()), false, json::array()},
                {"bands", bands(), false, json::object()},

@@ -39,6 +39,7 @@ struct VesselDef {
     Vec3 centre = Vec3::Zero(), axis = Vec3::UnitX();
     double cut_angle = 90;                                  ///< Of ends that are not held [degrees], 45 to 90.
     bool start_held = true, end_held = true;
+    int held_by = -1;                                       ///< Number of the approximator whose clamps hold them; -1: they stay where they are.
     bool is_soft = false;                                   ///< Its wall gives way, with
     double young_modulus = 0.1e6;                           ///< [Pa], and
     double puncture_force = 0.05;                           ///< a needle's tip goes through at this [N].

@@ -109,7 +109,7 @@ void World::take_hold(Tool& tool) {
 void World::update_grasps() {
     for (int number = 0; number < static_cast<int>(tools_.size()); ++number) {
         Tool& tool = tools_[static_cast<std::size_t>(number)];
-        if (tool.def.kind == instruments::Kind::scissors) continue;  // they never hold
+        if (tool.shape.grip_force == 0) continue;
         if (!tool.closed && tool.now.jaw < shut_below) {
             tool.closed = true;
             const JawRoom shut(tool.shape, tool.now.jaw);

@@ -71,7 +71,7 @@ static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
 }
 
 SoftVessel::SoftVessel(const VesselDef& def, double wire)
-    : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), bites(bites_of(def, wire), tissue.rest()), clamps(clamps_of(def, tissue.rest())),
+    : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), bites(bites_of(def, wire), tissue.rest()), clamps(clamps_of(def, tissue.rest())), held_by(def.held_by),
       name(def.name) {
     for (const auto& [from, to] : def.bitten) bites.begin_with(from, to, skin);
     skin.forget_parts();

@@ -31,7 +31,10 @@ struct SoftVessel {
     tissue::Tissue tissue;
     tissue::Skin skin;
     tissue::Bites bites;
-    std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are.
+    std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are,
+    int held_by;                              ///< or where the tool of this number leads them; none: -1:
+    double side = 1;                          ///< by its jaw towards x (1) or away from it (-1),
+    std::vector<Vec3> led_at;                 ///< each so far from that jaw's tip, in the tool's axes [m].
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
     std::vector<Press> presses;               ///< Of the thread in this tick,
     std::vector<double> pressed;              ///< and all of them at each hole together, at first those at none [N].

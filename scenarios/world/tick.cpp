@@ -26,6 +26,15 @@ static ToolInput within_a_tick(const Tool& tool, const ToolInput& wanted, double
     return behind > most ? ToolInput{instruments::between(tool.now.pose, wanted.pose, most / behind), wanted.jaw} : wanted;
 }
 
+// Its clamps run on screws, and walls come after them.
+static ToolInput by_screw(const Tool& tool, const ToolInput& wanted, double tick_s) {
+    constexpr double screw = 0.01;  // [m/s]
+    const double opens = instruments::opening_of(tool.shape, wanted.jaw) - instruments::opening_of(tool.shape, tool.now.jaw);
+    const double way = instruments::way_between(tool.now.pose, wanted.pose, tool.shape.jaw_length) + std::abs(opens), share = screw * tick_s / way;
+    if (!(share < 1)) return wanted;
+    return {instruments::between(tool.now.pose, wanted.pose, share), tool.now.jaw + share * (wanted.jaw - tool.now.jaw)};
+}
+
 // Swept from where each tool is to where it is asked to be: a fast tool stops at what it meets.
 void World::move_instruments(std::span<const ToolInput> inputs) {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
@@ -39,6 +48,7 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         }
         ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
         if (tool.def.kind == instruments::Kind::scissors) next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
+        if (tool.def.kind == instruments::Kind::approximator) next = by_screw(tool, next, def_.tick_s);
         const instruments::Advance advance = bench_.advance(static_cast<int>(i), next);
         tool.now = advance.reached;
         tool.stopped = advance.stopped;

@@ -72,6 +72,7 @@ void World::move(SoftVessel& vessel, double seconds) {
     push_walls(static_cast<int>(&vessel - vessels_.data()));
     vessel.bites.press(has_needle() ? &with_swage : nullptr, vessel.skin);
     vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
+    lead_clamps(vessel);
     vessel.tissue.step({.holds = vessel.clamps, .forces = vessel.forces}, seconds);
     vessel.forces.clear();
     vessel.skin.update(vessel.tissue.nodes());

@@ -60,6 +60,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
         tools_.back().grasps.reserve(16);
         tools_.back().walls.reserve(256);  // two walls at each look along the longest jaws
     }
+    for (SoftVessel& vessel : vessels_) clamp(vessel);
     for (const VesselDef& vessel : def.vessels) {  // beyond the thread at either end, wherever it lies
         const Vec3 half = (0.5 * vessel.length + def.thread.length) * vessel.axis.normalized();
         cores_.push_back({vessel.centre - half, vessel.centre, vessel.centre + half});

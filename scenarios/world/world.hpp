@@ -131,6 +131,8 @@ class World {
     double believed_share() const;
     void push_walls(int vessel);
     void press_walls_together();
+    void clamp(SoftVessel& vessel);
+    void lead_clamps(SoftVessel& vessel);
     void load_vessels();
     void move_vessels();
     void move(SoftVessel& vessel, double seconds);

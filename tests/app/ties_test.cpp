@@ -21,7 +21,7 @@ TEST(Ties, LooseThreadsAreTheKnotsTheyAreCalled) {
         }
 }
 
-// Every kind of knot is met among these seeds; 10,000 run in tests/bench/ties.cpp.
+// Every kind of knot is met among these seeds; `carrel bench ties` plays 10,000.
 TEST(Ties, SeededTiesKeepTheirKnots) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Tied tied = ties(seed);

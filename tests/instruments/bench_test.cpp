@@ -49,7 +49,7 @@ static double brute_gap(const std::array<Capsule, part_count>& parts, const std:
 // At 1 m/s a tick is 1 mm: the wall is thinner, and a test at the tick's ends alone finds the tool inside the lumen or
 // beyond. Each speed must end touching the outside, and must be able to leave at once.
 TEST(Bench, AFastToolStopsAtAVesselWallAndCanLeave) {
-    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors})
+    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors, Kind::approximator})
         for (const double speed : {0.01, 0.1, 1.0, 50.0}) {
             SCOPED_TRACE(speed);
             Bench bench;

@@ -19,7 +19,7 @@ constexpr double rounding = 1e-15;
 
 // Jaws that stay apart when closed let the thread slide out; jaws that overlap push it through themselves.
 TEST(Tool, ClosedJawsTouchAndNoOpeningMakesThemOverlap) {
-    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors}) {
+    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors, Kind::approximator}) {
         const ToolShape& shape = shape_of(kind);
         const auto closed = parts_at(shape, somewhere, 0);
         EXPECT_NEAR((closed[jaw_plus].b - closed[jaw_minus].b).norm(), 2 * shape.jaw_radius, rounding);
@@ -41,7 +41,7 @@ TEST(Tool, TurnsCountAtTheArmByTheirChord) {
 
 // Motion files place the tip: were the frame elsewhere, every drill's tools would be off by that much.
 TEST(Tool, TipsOfClosedJawsAreAtTheFramesOrigin) {
-    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors}) {
+    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors, Kind::approximator}) {
         const auto parts = parts_at(shape_of(kind), {}, 0);
         EXPECT_LT((0.5 * (parts[jaw_plus].b + parts[jaw_minus].b) + Vec3(0, 0, shape_of(kind).jaw_radius)).norm(),
                   rounding);
@@ -61,7 +61,7 @@ TEST(Tool, OpensAsFarAsTheRealOne) {
 
 // A part that is placed by the pose's rotation alone, or by its inverse, goes unnoticed until a tool is turned.
 TEST(Tool, PartsMoveWithThePoseAndJawsMirrorEachOther) {
-    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors}) {
+    for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors, Kind::approximator}) {
         const auto own = parts_at(shape_of(kind), {}, 0.4), moved = parts_at(shape_of(kind), somewhere, 0.4);
         const auto placed = [](const Vec3& p) -> Vec3 { return somewhere.position + somewhere.rotation * p; };
         for (std::size_t i = 0; i < part_count; ++i) {

@@ -40,6 +40,11 @@ std::string moving(const std::string& motion_name) {
     return with("\"time_limit_s\"", "\"motion\": \"" + motion_name + "\", \"time_limit_s\"");
 }
 
+std::string held(std::string text) {
+    text.replace(text.find("forceps"), 7, "approximator");
+    return text.replace(text.find("\"tube\""), 6, "\"held_by\": \"left\", \"tube\"");
+}
+
 std::vector<Broken> broken() {
     const std::string good = moving("m.csv");
     return {
@@ -74,6 +79,11 @@ std::vector<Broken> broken() {
         {"no instruments",
          with("{\"name\": \"left\", \"kind\": \"forceps\"},\n    {\"name\": \"right\", \"kind\": \"needle_holder\"}",
               "")},
+        {"held by nobody", with("\"name\": \"carotid\"", "\"name\": \"carotid\", \"held_by\": \"clamp\"")},
+        {"held by forceps", with("\"name\": \"carotid\"", "\"name\": \"carotid\", \"held_by\": \"left\"")},
+        {"an approximator that holds nothing", with("\"forceps\"", "\"approximator\"")},
+        {"a rigid vessel that is held", held(good)},
+        {"both ends held", held(with("{\"gravity\": false}", "{\"tissue\": \"elastic\"}"))},
         {"missing mesh", with("\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}",
                               "\"mesh\": {\"file\": \"none.obj\", \"sha256\": \"" + std::string(64, '0') + "\"}")},
         {"another mesh", with("\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}",
