@@ -32,7 +32,7 @@ draw::Picture scene_picture(const Session& session, const Snapshot& snapshot) {
 
 double aspect_of(const draw::Picture& picture) { return static_cast<double>(picture.width) / picture.height; }
 
-// What must be in every picture: a hand's width of field about the vessels, and all of every jaw.
+// What must be in every picture: a hand's width of field about the vessels, and all of every hand's jaw.
 std::vector<Vec3> field_of(const Session& session, const Snapshot& snapshot) {
     constexpr double across = 19e-3, along = 12e-3, margin = 2e-3;  // [m] as much to either side
     std::vector<Vec3> points;
@@ -44,6 +44,7 @@ std::vector<Vec3> field_of(const Session& session, const Snapshot& snapshot) {
     if (world.vessels.empty()) add(Vec3::Zero(), across, along);
     for (const auto& vessel : world.vessels) add(vessel.centre, across, along);
     for (std::size_t i = 0; i < snapshot.tools.size(); ++i) {
+        if (world.instruments[i].kind == instruments::Kind::approximator) continue;  // it stands aside
         const auto& [pose, jaw] = snapshot.tools[i];
         const auto parts = instruments::parts_at(instruments::shape_of(world.instruments[i].kind), pose, jaw);
         for (const int part : {instruments::jaw_plus, instruments::jaw_minus})
