@@ -42,6 +42,9 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
         sorted_.push_back({number(x, y, z), static_cast<int>(i)});
     }
     std::sort(sorted_.begin(), sorted_.end());
+    bent_sorted_.clear();
+    for (const auto& of_cell : sorted_)
+        if (is_bent_[static_cast<std::size_t>(of_cell[1])]) bent_sorted_.push_back(of_cell);
     behind_.assign(face_.size(), {-1, 0});
 }
 
@@ -66,8 +69,11 @@ void WallContact::look_behind(const Mesh& rest, const Skin& nodes_of, int node, 
 }
 
 void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same) {
-    if (sorted_.empty()) return;
     for (int t = 0; t < triangles_of.size(); ++t) {
+        const auto& corners = rest.faces[static_cast<std::size_t>(triangles_of.face(t))].nodes;
+        const bool all = !same || std::any_of(corners.begin(), corners.end(), [&](int i) { return is_bent_[static_cast<std::size_t>(i)]; });
+        const auto& nodes = all ? sorted_ : bent_sorted_;
+        if (nodes.empty()) continue;
         const Vec3 up = triangles_of.normal(t), down = -0.5 * thickness_ * up;
         Box around = triangles_of.box(t);   // and what is behind it
         around.low += down.cwiseMin(0), around.high += down.cwiseMax(0);
@@ -75,8 +81,8 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
         const auto low = cell(around.low), high = cell(around.high);
         for (int x = low[0]; x <= high[0]; ++x)
             for (int y = low[1]; y <= high[1]; ++y) {
-                const auto begin = std::lower_bound(sorted_.begin(), sorted_.end(), std::array{number(x, y, low[2]), 0});
-                for (auto k = begin; k != sorted_.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_behind(rest, nodes_of, (*k)[1], triangles_of, t, up, same);
+                const auto begin = std::lower_bound(nodes.begin(), nodes.end(), std::array{number(x, y, low[2]), 0});
+                for (auto k = begin; k != nodes.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_behind(rest, nodes_of, (*k)[1], triangles_of, t, up, same);
             }
     }
 }
@@ -98,17 +104,19 @@ void WallContact::press(const Mesh& rest_a, const Skin& a, std::vector<PointForc
     contacts_ = 0;
     const Box box_a = box_of(a).grown(0.5 * thickness_), box_b = box_of(b).grown(0.5 * thickness_);
     if (!box_a.overlaps(box_b)) return;
+    is_bent_.assign(std::max(rest_a.nodes.size(), rest_b.nodes.size()), false);
     const Box both{box_a.low.cwiseMax(box_b.low), box_a.high.cwiseMin(box_b.high)};
     sort_nodes(rest_a, a, both), find(rest_a, a, b, false), push(rest_a, a, on_a, b, on_b);
     sort_nodes(rest_b, b, both), find(rest_b, b, a, false), push(rest_b, b, on_b, a, on_a);
 }
 
-// What touches was further apart at rest than the wall is thick: some node has gone more than half of that.
-void WallContact::press(const Mesh& rest, const Skin& skin, std::vector<PointForce>& forces) {
+// What touches was further apart at rest than the wall is thick: one of the two has gone.
+void WallContact::press(const Mesh& rest, const Skin& skin, std::vector<PointForce>& forces, const Eigen::Isometry3d& carried) {
     contacts_ = 0;
-    bool is_bent = false;
-    for (std::size_t i = 0; i < rest.nodes.size() && !is_bent; ++i) is_bent = (skin.nodes()[i] - rest.nodes[i]).squaredNorm() > 0.25 * thickness_ * thickness_;
-    if (!is_bent) return;
+    const double gone = 0.25 * thickness_;
+    is_bent_.resize(rest.nodes.size());
+    for (std::size_t i = 0; i < is_bent_.size(); ++i) is_bent_[i] = (skin.nodes()[i] - carried * rest.nodes[i]).squaredNorm() > gone * gone;
+    if (std::none_of(is_bent_.begin(), is_bent_.end(), [](bool bent) { return bent; })) return;
     sort_nodes(rest, skin, box_of(skin)), find(rest, skin, skin, true), push(rest, skin, forces, skin, forces);
 }
 

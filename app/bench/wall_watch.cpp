@@ -89,7 +89,7 @@ void WallWatch::look(const World& world, Frame& frame) {
     for (auto& forces : forces_) forces.clear();
     for (std::size_t a = 0; a < vessels.size(); ++a) {
         const tissue::Mesh& rest = vessels[a].tissue.rest();
-        contact_.press(rest, vessels[a].skin, forces_[a]);
+        contact_.press(rest, vessels[a].skin, forces_[a], vessels[a].carried);
         frame.wall_contacts += contact_.contacts();
         for (std::size_t b = a + 1; b < vessels.size(); ++b) {
             contact_.press(rest, vessels[a].skin, forces_[a], vessels[b].tissue.rest(), vessels[b].skin, forces_[b]);

@@ -33,8 +33,9 @@ struct SoftVessel {
     tissue::Bites bites;
     std::vector<tissue::Hold> clamps;         ///< Nodes that are held where they are,
     int held_by;                              ///< or where the tool of this number leads them; none: -1:
-    double side = 1;                          ///< by its jaw towards x (1) or away from it (-1),
-    std::vector<Vec3> led_at;                 ///< each so far from that jaw's tip, in the tool's axes [m].
+    double side = 1;                          ///< by its jaw towards x (1) or away from it (-1).
+    Eigen::Isometry3d to_jaw = Eigen::Isometry3d::Identity();   ///< From the world to the jaw's axes as it was at the start,
+    Eigen::Isometry3d carried = Eigen::Isometry3d::Identity();  ///< and how it has carried the clamps since.
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
     std::vector<Press> presses;               ///< Of the thread in this tick,
     std::vector<double> pressed;              ///< and all of them at each hole together, at first those at none [N].

@@ -50,7 +50,7 @@ void World::push_walls(int vessel) {
 // Once in all vessels' turns: each feels it in its own.
 void World::press_walls_together() {
     for (std::size_t a = 0; a < vessels_.size(); ++a) {
-        wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces);
+        wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces, vessels_[a].carried);
         for (std::size_t b = a + 1; b < vessels_.size(); ++b)
             wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces, vessels_[b].tissue.rest(), vessels_[b].skin, vessels_[b].forces);
     }

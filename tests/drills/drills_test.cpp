@@ -176,6 +176,10 @@ TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
     for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
     for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], 2) << kind;
     EXPECT_EQ(count["cut"], 3) << "the free end of the tail lies along it";
+    for (const auto& item : played.result["items"])
+        if (item["name"] == "gap") {
+            EXPECT_LT(std::stod(item["value"].get<std::string>()), 0.3) << "of 3 mm: the ends do not meet";
+        }
     EXPECT_EQ(count["needle_grasp"], 4);
     EXPECT_EQ(count["torn"] + count["break"], 0);
 }
