@@ -12,7 +12,8 @@ namespace tissue {
 using sim::geometry::Vec3;
 
 /// A symmetric positive definite matrix of 3 x 3 blocks between nodes, factored (L L^T) in slices, so that no step has to wait for all
-/// of it, while solves go on with the factors before. Which blocks there are is settled at the start; nothing is allocated afterwards.
+/// of it, while solves go on with the factors before. Finished factors are kept to 24 bits: a solve waits for memory, and what it is for, the direction of
+/// a descent whose forces are exact, needs no more. Which blocks there are is settled at the start; nothing is allocated afterwards.
 class BlockMatrix {
   public:
     using Block = Eigen::Matrix3d;
@@ -40,11 +41,12 @@ class BlockMatrix {
     void use();                                     ///< Solves are with these factors from now on.
 
     long work() const { return work_; }             ///< Block products of a whole factorisation.
-    /// x = A^-1 x.
+    /// x = A^-1 x, off by at most 1e-7 times the condition of A. 90 us for 624 nodes of a tube, 150 us were factors kept whole.
     void solve(std::vector<Vec3>& x);
 
   private:
     using Padded = std::array<Lane, 3>;             // columns of a block, their last number zero
+    using ShortBlock = std::array<ShortLane, 3>;
 
     void analyse(std::span<const std::array<int, 2>> couplings);
     void update(std::size_t column);
@@ -53,7 +55,8 @@ class BlockMatrix {
     std::vector<int> rank_, node_;                  // of a node in the elimination, and back
     std::vector<int> first_, row_, column_;         // of column j blocks first_[j] to first_[j + 1] - 1, its diagonal first; of a block
     std::vector<int> first_update_, update_;        // of row j, the blocks left of its diagonal
-    std::vector<Padded> next_, factors_;
+    std::vector<Padded> next_;
+    std::vector<ShortBlock> finished_, factors_;    // of the matrix at work as far as it has come, of the one before
     std::vector<int> where_;                        // of a row, its block in the column at work
     std::vector<Lane> x_;
     std::size_t at_ = 0;                            // columns before are factored

@@ -34,7 +34,8 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
     face_.assign(skin.nodes().size(), -1);
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         for (const int i : rest.faces[f].nodes) face_[static_cast<std::size_t>(i)] = static_cast<int>(f);
-    sorted_.clear();
+    sorted_.reserve(face_.size()), bent_sorted_.reserve(face_.size());
+    sorted_.clear(), bent_sorted_.clear();
     for (std::size_t i = 0; i < face_.size(); ++i) {
         const Vec3& at = skin.nodes()[i];
         if (face_[i] < 0 || !grid_.overlaps({at, at})) continue;
@@ -42,7 +43,6 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
         sorted_.push_back({number(x, y, z), static_cast<int>(i)});
     }
     std::sort(sorted_.begin(), sorted_.end());
-    bent_sorted_.clear();
     for (const auto& of_cell : sorted_)
         if (is_bent_[static_cast<std::size_t>(of_cell[1])]) bent_sorted_.push_back(of_cell);
     behind_.assign(face_.size(), {-1, 0});

@@ -114,25 +114,29 @@ TEST(Tissue, DoesNotMindHowSpaceIsTurned) {
 }
 
 // Pulled at nodes of its plane of symmetry a tube stays symmetric, for cells are mirrored too.
+// Where it is stable: what rounding does to one side is a millionth of what moves. A pull that folds the cut makes more of it on the way, and is symmetric where it comes to rest.
 TEST(Tissue, KeepsItsPlaneOfSymmetry) {
     const TubeDef def{.around = 12, .through = 1};
     const Mesh mesh = make_tube(def);
-    Tissue tissue({}, mesh);
     const std::vector<Hold> holds = far_end_held(mesh);
     MaterialPoint node_zero;
     for (int t = static_cast<int>(mesh.tetrahedra.size()) - 1; t >= 0; --t)
         for (std::size_t k = 0; k < 4; ++k)
             if (mesh.tetrahedra[static_cast<std::size_t>(t)][k] == 0) node_zero = {t, {}}, node_zero.weights[k] = 1;
-    const PointForce forces[] = {{node_zero, {-0.02, 0.02, 0}}};
-    for (int i = 0; i < 100; ++i) tissue.step({.holds = holds, .forces = forces}, tick);
-    const auto node = [&](int along, int a, int t) { return tissue.nodes()[static_cast<std::size_t>((along * def.around + a) * (def.through + 1) + t)]; };
-    EXPECT_GT((node(0, 0, 0) - mesh.nodes[0]).norm(), 1e-3);
-    for (int along = 0; along < def.near; ++along)
-        for (int a = 0; a < def.around; ++a)
-            for (int t = 0; t <= def.through; ++t) {
-                const Vec3 here = node(along, a, t), there = node(along, (def.around - a) % def.around, t);
-                EXPECT_LE((here - Vec3(there.x(), there.y(), -there.z())).norm(), 1e-9);  // a millionth of what it moves
-            }
+    for (const auto& [pull, steps] : {std::pair{0.005, 100}, {0.02, 1000}}) {
+        SCOPED_TRACE(pull);
+        Tissue tissue({}, mesh);
+        const PointForce forces[] = {{node_zero, {-pull, pull, 0}}};
+        for (int i = 0; i < steps; ++i) tissue.step({.holds = holds, .forces = forces}, tick);
+        const auto node = [&](int along, int a, int t) { return tissue.nodes()[static_cast<std::size_t>((along * def.around + a) * (def.through + 1) + t)]; };
+        EXPECT_GT((node(0, 0, 0) - mesh.nodes[0]).norm(), 1e-3);
+        for (int along = 0; along < def.near; ++along)
+            for (int a = 0; a < def.around; ++a)
+                for (int t = 0; t <= def.through; ++t) {
+                    const Vec3 here = node(along, a, t), there = node(along, (def.around - a) % def.around, t);
+                    EXPECT_LE((here - Vec3(there.x(), there.y(), -there.z())).norm(), 1e-9);
+                }
+    }
 }
 
 // Steps of a fiftieth of that time err by about as much.
