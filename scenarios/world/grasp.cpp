@@ -14,12 +14,17 @@ namespace {
 // The closing jaws lay the strand flat between their inner faces; each link keeps its length and, in the plane of the
 // jaws, its direction.
 void flatten(Grasp& grasp, const JawRoom& room) {
+    const int middle = grasp.count / 2;
+    const auto half_gap = [&](const Vec3& at) { return room.half_gap(at.z()); };
+    const Vec3& centre = grasp.anchor[static_cast<std::size_t>(middle)];
+    const double half = half_gap(centre), shift = std::clamp(centre.x(), -half, half) - centre.x();
+    for (int k = 0; k < grasp.count; ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
+    const auto was = grasp.anchor;
     const auto lay = [&](int from, int to) {
-        const Vec3& leader = grasp.anchor[static_cast<std::size_t>(from)];
-        Vec3& follower = grasp.anchor[static_cast<std::size_t>(to)];
-        Vec3 d = follower - leader;
-        const double length2 = d.squaredNorm(), half = room.half_gap(follower.z());
-        d.x() = std::clamp(follower.x(), -half, half) - leader.x();
+        const Vec3 &leader = grasp.anchor[static_cast<std::size_t>(from)], &follower = was[static_cast<std::size_t>(to)];
+        Vec3 d = follower - was[static_cast<std::size_t>(from)];
+        const double length2 = d.squaredNorm(), gap = half_gap(follower);
+        d.x() = std::clamp(follower.x(), -gap, gap) - leader.x();
         const double flat2 = d.y() * d.y() + d.z() * d.z(), wanted2 = std::max(0.0, length2 - d.x() * d.x());
         if (flat2 > 0) {
             d.y() *= std::sqrt(wanted2 / flat2);
@@ -27,12 +32,8 @@ void flatten(Grasp& grasp, const JawRoom& room) {
         } else {
             d.y() = std::sqrt(wanted2);  // it stood across the jaws: they lay it to one side
         }
-        follower = leader + d;
+        grasp.anchor[static_cast<std::size_t>(to)] = leader + d;
     };
-    const int middle = grasp.count / 2;
-    Vec3& centre = grasp.anchor[static_cast<std::size_t>(middle)];
-    const double half = room.half_gap(centre.z()), shift = std::clamp(centre.x(), -half, half) - centre.x();
-    for (int k = 0; k < grasp.count; ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
     for (int k = middle; k + 1 < grasp.count; ++k) lay(k, k + 1);
     for (int k = middle; k > 0; --k) lay(k, k - 1);
 }
