@@ -60,65 +60,6 @@ bool ChainMatrix::factor(double more) {
     return true;
 }
 
-// The inverse Z = D^-1 L^-1 + (1 - L^T) Z within the band, from its end [Takahashi, Fagan and Chin 1973].
-void ChainMatrix::invert_band() {
-    inverse_band_.resize(band_.size());
-    double next[8][8] = {};  // of the next eight rows and columns
-    for (std::size_t c = 3 * nodes_; c-- > 0;) {
-        const double* const below = factor_.data() + c * stride;
-        Eight column = Eight::Zero();
-        for (std::size_t k = 0; k < 8; ++k) column -= below[k + 1] * at<Eight>(next[k]);
-        double pivot = below[0];
-        for (std::size_t k = 0; k < 8; ++k) pivot -= below[k + 1] * column[static_cast<int>(k)];
-        double* const kept = inverse_band_.data() + c * stride;
-        kept[0] = pivot;
-        at<Eight>(kept + 1) = column;
-        for (std::size_t k = 8; k-- > 1;) {
-            for (std::size_t r = 8; r-- > 1;) next[k][r] = next[k - 1][r - 1];
-            next[k][0] = column[static_cast<int>(k) - 1];
-        }
-        at<Eight>(next[0]) = at<Eight>(kept);
-    }
-}
-
-// Above the band Z is what its next eight rows make of it: the three columns of each node, from there up to the first node.
-Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> nodes) {
-    const auto size = static_cast<Eigen::Index>(3 * nodes.size());
-    inverse_.resize(static_cast<std::size_t>(size * size));
-    Eigen::Map<Eigen::MatrixXd> inverse(inverse_.data(), size, size);
-    invert_band();
-    for (std::size_t place = 0; place < nodes.size(); ++place) {
-        const std::size_t node = static_cast<std::size_t>(nodes[place]);
-        Four window[12];  // rows of the node on its way and of the three after it
-        for (std::size_t r = 0; r < 9; ++r)
-            for (std::size_t c = 0; c < 3; ++c) window[r][static_cast<int>(c)] = inverse_band_[(3 * node + std::min(r, c)) * stride + (r < c ? c - r : r - c)];
-        for (std::size_t r = 0; r < 12; ++r) window[r][3] = 0;
-        const auto keep = [&](std::size_t row) {
-            for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c) {
-                    const Eigen::Index i = static_cast<Eigen::Index>(3 * row) + r, j = static_cast<Eigen::Index>(3 * place) + c;
-                    inverse(i, j) = inverse(j, i) = window[r][c];
-                }
-        };
-        keep(place);
-        std::size_t row = place;
-        for (std::size_t i = node; row > 0; --i) {
-#pragma GCC unroll 9
-            for (std::size_t r = 12; r-- > 3;) window[r] = window[r - 3];
-#pragma GCC unroll 3
-            for (std::size_t c = 3; c-- > 0;) {
-                const double* const below = factor_.data() + (3 * (i - 1) + c) * stride;
-                Four sum = -below[8] * window[c + 8];
-#pragma GCC unroll 7
-                for (std::size_t k = 7; k > 0; --k) sum -= below[k] * window[c + k];
-                window[c] = sum;
-            }
-            if (static_cast<std::size_t>(nodes[row - 1]) == i - 1) keep(--row);
-        }
-    }
-    return {inverse_.data(), size, size};
-}
-
 // Node by node, what is still to be eliminated of the next two in registers.
 void ChainMatrix::solve_forward(std::vector<Vec3>& x) const {
     double window[9];

@@ -35,9 +35,10 @@ class ChainMatrix {
     /// Factors the matrix with `more` added to all of its diagonal (L D L^T). False when that is not positive definite.
     bool factor(double more = 0);
 
-    /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors.
-    /// Its time grows with the nodes of the chain times those.
+    /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors. Four numbers
+    /// may be read from any place in it. Its time grows with the nodes of the chain times those.
     Eigen::Map<const Eigen::MatrixXd> inverse_at(std::span<const int> nodes);
+    static constexpr std::size_t beyond = 3;  ///< Numbers behind the last, for who reads four at once.
 
     /// x = A^-1 x, by the last factors.
     void solve(std::vector<Vec3>& x) const;

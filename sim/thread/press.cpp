@@ -1,12 +1,14 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "sim/geometry/lane.hpp"
 #include "sim/thread/press.hpp"
 
 // What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it, against how the
 // points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
 namespace sim::thread {
 
+using geometry::Lane;
 using Mat3 = Eigen::Matrix3d;
 
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -121,31 +123,6 @@ void find_presses(State& state) {
     state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());
 }
 
-// How far the points of each move apart for a unit push at each other.
-static Responses measure_responses(State& state) {
-    const auto inverse = state.rod->matrix().inverse_at(state.touching);
-    state.place.resize(state.nodes.size());
-    for (std::size_t k = 0; k < state.touching.size(); ++k) state.place[at(state.touching[k])] = axes(k);
-    std::vector<Press>& presses = state.presses;
-    const Eigen::Index size = axes(presses.size());
-    auto moves = state.press_moves.resized(size, inverse.rows());
-    auto responses = state.press_responses.resized(size, size);
-    for (std::size_t c = 0; c < presses.size(); ++c) {
-        const Pair& pair = presses[c].pair;
-        moves.middleRows<3>(axes(c)).setZero();
-        for (int k = 0; k < pair.nodes; ++k) moves.middleRows<3>(axes(c)) += pair.weight[at(k)] * inverse.middleCols<3>(state.place[at(pair.node[at(k)])]).transpose();
-    }
-    for (std::size_t d = 0; d < presses.size(); ++d)
-        for (std::size_t c = d; c < presses.size(); ++c) {
-            const Pair& pair = presses[c].pair;
-            Mat3 block = Mat3::Zero();
-            for (int k = 0; k < pair.nodes; ++k) block += pair.weight[at(k)] * moves.block<3, 3>(axes(d), state.place[at(pair.node[at(k)])]);
-            responses.block<3, 3>(axes(d), axes(c)) = block;
-            responses.block<3, 3>(axes(c), axes(d)) = block.transpose();
-        }
-    return responses;
-}
-
 // The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from where they would
 // be. First across, then along.
 static Vec3 push_of(const Press& press, const Vec3& lacks) {
@@ -181,13 +158,17 @@ static void find_apart(State& state) {
     }
 }
 
-// Pushes contact c by so much more. Written out: Eigen rounds what lies before the first aligned place otherwise than the rest.
 void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more) {
     state.presses[c].push += more;
     const double* const x = responses.row(axes(c)).data();
     const double* const y = responses.row(axes(c) + 1).data();
     const double* const z = responses.row(axes(c) + 2).data();
-    for (std::size_t i = 0; i < state.apart.size(); ++i) state.apart[i] += x[i] * more.x() + y[i] * more.y() + z[i] * more.z();
+    const double along_x = more.x(), along_y = more.y(), along_z = more.z();
+    double* const apart = state.apart.data();
+    const std::size_t size = state.apart.size();
+    std::size_t i = 0;
+    for (; i + 4 <= size; i += 4) (Lane::from(apart + i) + (Lane::from(x + i) * along_x + Lane::from(y + i) * along_y + Lane::from(z + i) * along_z)).to(apart + i);
+    for (; i < size; ++i) apart[i] += x[i] * along_x + y[i] * along_y + z[i] * along_z;
 }
 
 // One contact after the other; returns how much that changed, as share of all pushes.

@@ -12,6 +12,9 @@ bool is_far(const State& state, const Row& row);
 /// How far the step that was found takes a row's points apart, were it for the nodes alone.
 Vec3 way_of(const State& state, const Row& row);
 
+/// With the rod's inverse at State::touching; O(m n + m^2) for m contacts that touch n nodes.
+Responses measure_responses(State& state);
+
 /// Pushes contact c by `more` [N] than it does, and moves the points of all.
 void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more);
 

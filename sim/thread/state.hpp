@@ -72,6 +72,7 @@ struct Press {
 
     Row* row;
     Pair pair;                      ///< Where it acts, and its push as the step began.
+    std::array<Eigen::Index, 4> place{};  ///< Of those nodes in ChainMatrix::inverse_at.
     Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
     Vec3 push = Vec3::Zero();           ///< [N] on the link, drag and all,
     Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< as a sweep began, and where sweeps lead.
@@ -198,7 +199,8 @@ struct State {
     std::vector<Vec3> forces;
     std::vector<double> apart;         ///< Of the points of all presses, from the other's to the link's, as the step has it [m],
     std::vector<double> apart_before, apart_way;  ///< as a sweep began, and where sweeps lead.
-    Table press_moves, press_responses, press_across;
+    std::vector<double> press_moves;   ///< Of what touches, for a unit push at one contact along one axis [m/N].
+    Table press_responses, press_across;
     std::vector<Row*> nearest_rows;      ///< Scratch.
     std::vector<int> pushing, wrong;     ///< Scratch: presses, in their order.
     std::vector<double> push_change;

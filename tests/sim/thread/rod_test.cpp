@@ -19,12 +19,12 @@ std::vector<Vec3> straight(int links, double length) {
 
 }  // namespace
 
-// Against Eigen's dense solver, on matrices a rod could have, and with nodes that touch at its ends, beside each other, one apart and
-// all over.
+// Against Eigen's dense solver, on matrices a rod could have, and with nodes that touch at its ends, beside each other, one apart,
+// all over, and more of them than go up the chain together.
 TEST(ChainMatrix, SolvesAsADenseMatrixDoes) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
-    for (const std::vector<int>& touching : std::vector<std::vector<int>>{{}, {0, 1}, {15, 16}, {0, 1, 15, 16}, {2, 3, 5, 6}, {3, 4, 9, 10, 11}, {0, 1, 2, 7, 8, 12, 13}}) {
+    for (const std::vector<int>& touching : std::vector<std::vector<int>>{{}, {0, 1}, {15, 16}, {0, 1, 15, 16}, {2, 3, 5, 6}, {3, 4, 9, 10, 11}, {0, 1, 2, 7, 8, 12, 13}, {0, 1, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 15, 16}}) {
         constexpr int n = 17, fixed = 14;
         const auto touches = [&](int i) { return std::find(touching.begin(), touching.end(), i) != touching.end(); };
         ChainMatrix matrix;
