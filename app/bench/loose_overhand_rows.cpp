@@ -63,6 +63,16 @@ void add_thin(std::vector<Row>& rows, int links) {
     add("sigma-mu3", "sigma at friction 0.3", dragging[1].at_zero(), 0.492, dragging[1].slope());
 }
 
+// What friction adds to a double one, from what it is drawn with without; 0.345 in surgery-and-physics.md D9, from memory.
+void add_double_sigma(std::vector<Row>& rows, double without) {
+    for (const double friction : {0.1, 0.3}) {
+        const LooseOverhand knot{.loop = 1920, .links = 960, .half_turns = 5, .friction = friction};
+        const double begin = processor_time(), found = sigma(knot, drawn_with(knot), without);
+        rows.push_back({.id = "double-overhand-sigma-mu" + whole(10 * friction), .what = words_of(knot) + "sigma", .value = found, .unit = "ratio", .bound = {}, .error = {},
+            .seconds = processor_time() - begin});
+    }
+}
+
 // More turns of the strands about each other and more friction: harder to draw. Of the least of these.
 void add_order(std::vector<Row>& rows, double loop, int links) {
     const double begin = processor_time();
@@ -93,6 +103,8 @@ std::vector<Row> loose_overhand_rows(bool quick) {
     for (const int links : {60, 120, 240}) add_pull(rows, {.loop = 60, .links = links});
     for (const int links : {60, 120, 240}) add_thin(rows, links);
     for (const double loop : {120.0, 240.0}) add_pull(rows, {.loop = loop, .links = 120, .half_turns = 5});
+    for (const double friction : {0.0, 0.1, 0.3}) add_pull(rows, {.loop = 1920, .links = 960, .friction = friction});
+    add_double_sigma(rows, add_pull(rows, {.loop = 1920, .links = 960, .half_turns = 5}));
     add_order(rows, 120, 120);
     return rows;
 }

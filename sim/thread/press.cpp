@@ -14,114 +14,7 @@ using Mat3 = Eigen::Matrix3d;
 static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 static Eigen::Index axes(std::size_t i) { return static_cast<Eigen::Index>(3 * i); }
 
-static void add_node(const State& state, Pair& pair, int node, double weight) {
-    if (weight == 0 || state.inverse_mass[at(node)] == 0) return;
-    pair.node[at(pair.nodes)] = node;
-    pair.weight[at(pair.nodes++)] = weight;
-}
-
-static const Row* pressed_before(const State& state, const Row& row) {
-    const auto known = std::find_if(state.pressed.begin(), state.pressed.end(),
-        [&](const Row& k) { return k.against == row.against && k.link == row.link && k.other == row.other; });
-    return known == state.pressed.end() ? nullptr : &*known;
-}
-
 static double contact_stiffness(const State& state) { return state.rod->def().contact_stiffness(state.rest[0]); }
-
-static Vec3 along(const Vec3& a, const Vec3& b) { return (b - a).normalized(); }
-
-// Two lines d apart at an angle b that both turn by a towards each other are d a^2 / (1 - |cos b|) nearer at most, and touch so much
-// farther along: no farther than from the middle of a link to its end.
-static void add_rolling(State& state, const Row& row) {
-    if (row.against == Against::surface) return;
-    const auto end = [&](int link) { return state.nodes[at(link) + 1]; };
-    const bool strand = row.against == Against::thread;
-    const Capsule other = strand ? Capsule{state.nodes[at(row.other)], end(row.other), 0} : state.capsules[at(row.other)];
-    const double cosine = std::abs(along(state.nodes[at(row.link)], end(row.link)).dot(along(other.a, other.b)));
-    const auto roll = [&](int link, double s) {
-        const double arm = std::min(row.distance / (1 - cosine), 0.5 * state.rest[at(link)]);
-        if (s > 0 && s < 1) state.rolling.push_back({link, row.normal, row.normal_push * arm});
-    };
-    roll(row.link, row.s);
-    if (strand) roll(row.other, row.t);
-}
-
-bool is_far(const State& state, const Row& row) { return row.distance > row.target + 0.1 * 2 * state.def.radius; }
-
-static double place_of(const State& state, int link, double s) { return state.arc[at(link)] + s * state.rest[at(link)]; }
-
-// Links that meet in a node touch what is there both, and a link many small triangles of a wall: rows within a radius of each other that
-// face the same way say the same; on a wall within a link, which is as long as its bend allows. Round a tool each link needs its own: with
-// one for two a wrap lost a tenth of its friction in short ticks.
-static bool says_the_same(const State& state, const Row& a, const Row& b) {
-    constexpr double same_way = 0.94;
-    const double radius = state.def.radius, rest = state.rest[at(a.link)];
-    const double reach = a.against == Against::surface ? std::max(radius, rest) : a.against == Against::capsule ? std::min(radius, 0.75 * rest) : radius;
-    const auto near = [&](double p, double q) { return std::abs(p - q) < reach; };
-    return a.against == b.against && a.normal.dot(b.normal) > same_way && near(place_of(state, a.link, a.s), place_of(state, b.link, b.s)) &&
-           (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
-}
-
-static Press* said_already(State& state, const Row& row) {
-    const auto known = std::find_if(state.presses.begin(), state.presses.end(), [&](const Press& press) { return says_the_same(state, *press.row, row); });
-    return known == state.presses.end() ? nullptr : &*known;
-}
-
-static void press_as_before(Press& press, const Row& before) {
-    const Vec3& n = press.row->normal;
-    press.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
-}
-
-static void add_press(State& state, Row& row) {
-    const Row* const before = pressed_before(state, row);
-    if (!before && is_far(state, row)) return;
-    if (Press* const known = said_already(state, row)) {
-        if (before) press_as_before(*known, *before);
-        return;
-    }
-    Press& press = state.presses.emplace_back(&row);
-    add_node(state, press.pair, row.link, 1 - row.s);
-    add_node(state, press.pair, row.link + 1, row.s);
-    if (row.against == Against::thread) {
-        add_node(state, press.pair, row.other, row.t - 1);
-        add_node(state, press.pair, row.other + 1, -row.t);
-    }
-    if (before) press_as_before(press, *before);
-}
-
-// Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.
-static void set_rest(State& state, Press& press) {
-    Row& row = *press.row;
-    row.normal_push = press.push.dot(row.normal);
-    press.pair.force = press.push;
-    press.rest = row.start + ((row.against == Against::thread ? row.target : row.thickness) - row.start.dot(row.normal)) * row.normal +
-                 (press.push - row.normal_push * row.normal) / contact_stiffness(state);
-    if (row.normal_push > 0) add_rolling(state, row);
-}
-
-static void sort_by_distance(State& state) {
-    state.nearest_rows.clear();
-    for (Row& row : state.rows) state.nearest_rows.push_back(&row);
-    std::sort(state.nearest_rows.begin(), state.nearest_rows.end(), [](const Row* a, const Row* b) { return a->distance != b->distance ? a->distance < b->distance : a < b; });
-}
-
-void find_presses(State& state) {
-    state.presses.clear();
-    state.rolling.clear();
-    state.touching.clear();
-    sort_by_distance(state);
-    for (Row* row : state.nearest_rows) add_press(state, *row);
-    for (Press& press : state.presses) set_rest(state, press);
-    state.pairs.clear();
-    for (const Press& press : state.presses) {
-        state.pairs.push_back(press.pair);
-        const Row& row = *press.row;
-        state.touching.insert(state.touching.end(), {row.link, row.link + 1});
-        if (row.against == Against::thread) state.touching.insert(state.touching.end(), {row.other, row.other + 1});
-    }
-    std::sort(state.touching.begin(), state.touching.end());
-    state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());
-}
 
 // The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from where they would
 // be. First across, then along.
@@ -129,7 +22,7 @@ static Vec3 push_of(const Press& press, const Vec3& lacks) {
     const Vec3& n = press.row->normal;
     const double before = press.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / press.gives);
     Vec3 drag = press.push - before * n + press.along * (lacks - (normal - before) * press.across);
-    const double size2 = drag.squaredNorm(), most = press.row->friction * normal;
+    const double size2 = drag.squaredNorm(), most = press.friction * normal;
     if (size2 > most * most) drag *= most / std::sqrt(size2);
     return normal * n + drag;
 }

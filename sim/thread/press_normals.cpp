@@ -64,7 +64,7 @@ void let_go(State& state, const Responses& responses, std::size_t c) {
 void drag_within_cone(State& state, const Responses& responses) {
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
-        const double normal = normal_push(press), most = press.row->friction * std::max(0.0, normal);
+        const double normal = normal_push(press), most = press.friction * std::max(0.0, normal);
         const Vec3 drag = press.push - normal * press.row->normal;
         if (const double size = drag.norm(); size > most) push_more(state, responses, c, (most / size - 1) * drag);
     }

@@ -73,6 +73,7 @@ struct Press {
     Row* row;
     Pair pair;                      ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< Of those nodes in ChainMatrix::inverse_at.
+    double friction = 0;                ///< Coulomb's, and what a polyline lacks.
     Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
     Vec3 push = Vec3::Zero();           ///< [N] on the link, drag and all,
     Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< as a sweep began, and where sweeps lead.

@@ -144,3 +144,11 @@ TEST(Rod, SlidesOverACylinderAsACapstanDoes) {
     EXPECT_LT(app::bench::rod_slides(0.2, pi, 10 * degree, 0.95), 1e-6);
     EXPECT_GT(app::bench::rod_slides(0.2, pi, 10 * degree, 1.05), 1);
 }
+
+// With contacts solved once a tick: in ticks of 4 ms normals that stay where the tick began drag by 7 % more, and at friction 0.3 corners
+// of 20 degrees by 9 % less. Both halves of what is asked of a capstan would hide what is left, so less is asked for.
+TEST(ElasticThread, SlidesOverACylinderAsACapstanDoes) {
+    constexpr double pi = 3.14159265358979, degree = pi / 180;
+    for (const auto& [friction, tick] : {std::tuple(0.1, 4e-3), std::tuple(0.3, 1e-3), std::tuple(0.3, 4e-3)})
+        EXPECT_LT(std::abs(app::bench::elastic_capstan(friction, 4 * pi, 20 * degree, tick).error()), 0.03) << friction << ' ' << tick;
+}
