@@ -137,10 +137,8 @@ void find_presses(State& state) {
     for (Press& press : state.presses) set_rest(state, press);
     state.pairs.clear();
     for (const Press& press : state.presses) {
-        state.pairs.push_back(press.pair);
-        const Row& row = *press.row;
-        state.touching.insert(state.touching.end(), {row.link, row.link + 1});
-        if (row.against == Against::thread) state.touching.insert(state.touching.end(), {row.other, row.other + 1});
+        const Pair& pair = state.pairs.emplace_back(press.pair);
+        state.touching.insert(state.touching.end(), pair.node.begin(), pair.node.begin() + pair.nodes);
     }
     std::sort(state.touching.begin(), state.touching.end());
     state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());

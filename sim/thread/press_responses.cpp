@@ -41,7 +41,7 @@ Responses measure_responses(State& state) {
     const std::vector<Press>& presses = state.presses;
     Responses responses = state.press_responses.resized(axes(presses.size()), axes(presses.size()));
     const Eigen::Index touching = inverse.rows();
-    state.press_moves.resize(static_cast<std::size_t>(touching) + ChainMatrix::beyond);
+    state.press_moves.assign(static_cast<std::size_t>(touching) + ChainMatrix::beyond + 1, 0.0);  // four numbers even where nothing can move
     double* const moves = state.press_moves.data();
     for (std::size_t d = 0; d < presses.size(); ++d)
         for (Eigen::Index a = 0; a < 3; ++a) {

@@ -191,7 +191,7 @@ struct State {
     std::vector<SurfaceForce> surface_forces;
 
     std::optional<Rod> rod;            ///< Of an elastic thread.
-    std::vector<int> touching;         ///< Scratch of it: nodes of links that press, increasing,
+    std::vector<int> touching;         ///< Scratch of it: nodes that pushes act on, increasing,
     std::vector<Eigen::Index> place;   ///< and of each where its three axes begin among theirs,
     std::vector<Press> presses;
     std::vector<Rolling> rolling;
@@ -284,7 +284,7 @@ double unseen_room(const State& state);
 double share_beside(const State& state, const Contact& c);
 /// All of a tick but what is told of it, for an elastic thread (elastic.cpp).
 void elastic_tick(State& state, const Motion& motion, TickReport& report);
-/// Rows that press, or may come to in this step, `presses`, `pairs` and `touching` (press.cpp).
+/// Rows that press, or may come to in this step, `presses`, `pairs` and `touching` (find_presses.cpp).
 void find_presses(State& state);
 /// The pushes of all together with the rod, whose step with the pushes as they were is known; returns how many sweeps that took.
 int solve_presses(State& state);
