@@ -104,6 +104,7 @@ std::vector<Row> loose_overhand_rows(bool quick) {
     for (const int links : {60, 120, 240}) add_thin(rows, links);
     for (const double loop : {120.0, 240.0}) add_pull(rows, {.loop = loop, .links = 120, .half_turns = 5});
     for (const double friction : {0.0, 0.1, 0.3}) add_pull(rows, {.loop = 1920, .links = 960, .friction = friction});
+    add_pull(rows, {.loop = 3840, .links = 1920, .friction = 0.3});
     add_double_sigma(rows, add_pull(rows, {.loop = 1920, .links = 960, .half_turns = 5}));
     add_order(rows, 120, 120);
     return rows;

@@ -11,9 +11,7 @@ namespace app::bench {
 
 namespace {
 
-constexpr double waiting = 0.5;       // [s] before the pull, at kappa 12 and in the end
-constexpr double wait_kappa = 12;     // links as long as the rope is thick let an overhand go to between 11 and 12
-constexpr double tight_kappa = 14;
+constexpr double waiting = 0.5;       // [s] before the pull, when it is nearly tight, and in the end
 constexpr double far_apart = 1.05;    // of the rope's length: where the hands end
 
 enum class Phase { pull, rest, over };
@@ -31,7 +29,7 @@ class Run {
     PullFigures figures() {
         const std::string knot = sim::knot::name_knot(nodes_).knot;
         for (double t = 0; t < waiting; t += def_.tick) rope_.tick(left_, right_);
-        while (distance() < def_.length - wait_kappa * def_.thickness()) tick(Phase::pull, def_.speed);
+        while (distance() < def_.length - def_.waits_at * def_.thickness()) tick(Phase::pull, def_.speed);
         for (double t = 0; t < waiting; t += def_.tick) tick(Phase::rest, 0);
         while (distance() < far_apart * def_.length) tick(Phase::over, def_.speed);
         for (double t = 0; t < waiting; t += def_.tick) tick(Phase::over, 0);
@@ -55,7 +53,7 @@ class Run {
         measure(phase);
         if (phase == Phase::rest) return;
         all_.push_back(us);
-        if (gauge_.kappa(nodes_) < tight_kappa) tight_.push_back(us);
+        if (gauge_.kappa(nodes_) < def_.tight_below) tight_.push_back(us);
     }
 
     void measure(Phase phase) {

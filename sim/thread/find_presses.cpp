@@ -64,28 +64,30 @@ static void press_as_before(Press& press, const Row& before) {
     press.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
 }
 
-// Where a link that slides on a tool will face as the step ends, when forces balance: with normals as they were, what slides by s about a
+// Where a link that slides on a tool or a wall will face as the step ends, when forces balance: with normals as they were, what slides by s about a
 // body of radius r is dragged by s / r of its push besides friction, and drifts off it by s^2 / 2 r. Between strands, which rock on each
 // other, it is left out: an overhand pulled at 0.1 m/s came to 0.98 D, and knots that were let go of trembled.
 static Vec3 normal_ahead(const State& state, const Row& row) {
     constexpr double most_turn = 0.95;  // a cosine: what turns farther does not slide, it goes round a corner
     const auto velocity = state.rod->velocity();
     const auto ahead = [&](int node) { return Vec3(state.nodes[at(node)] + state.input.seconds * velocity[at(node)]); };
-    const Capsule& tool = state.capsules[at(row.other)];
-    const auto nearest = geometry::closest_points(ahead(row.link), ahead(row.link + 1), tool.a, tool.b);
+    const Vec3 a = ahead(row.link), b = ahead(row.link + 1);
+    const bool steel = row.against == Against::capsule;
+    const auto nearest = steel ? geometry::closest_points(a, b, state.capsules[at(row.other)].a, state.capsules[at(row.other)].b)
+                               : geometry::closest_points(a, b, (*state.input.surface)[row.other]);
     const Vec3 normal = (nearest.on_a - nearest.on_b).stableNormalized();
     return normal.dot(row.normal) > most_turn ? normal : row.normal;
 }
 
-// On a tool, as the last step ended. What sticks does not go on, and without friction nothing would damp what rocks.
-static bool slips_on_tool(const Row& row) {
+// On a tool or a wall, as the last step ended. What sticks does not go on, and without friction nothing would damp what rocks.
+static bool slips_on_body(const Row& row) {
     constexpr double all = 0.99;
-    return row.against == Against::capsule && row.friction > 0 && row.normal_push > 0 && row.tangent_push.norm() > all * row.friction * row.normal_push;
+    return row.against != Against::thread && row.friction > 0 && row.normal_push > 0 && row.tangent_push.norm() > all * row.friction * row.normal_push;
 }
 
 static void add_press(State& state, Row& row) {
     const Row* const before = pressed_before(state, row);
-    if (before && slips_on_tool(*before)) row.normal = normal_ahead(state, row);
+    if (before && slips_on_body(*before)) row.normal = normal_ahead(state, row);
     if (!before && is_far(state, row)) return;
     if (Press* const known = said_already(state, row)) {
         if (before) press_as_before(*known, *before);
