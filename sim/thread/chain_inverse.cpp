@@ -7,13 +7,13 @@ namespace sim::thread {
 
 using geometry::Lane;
 
-// The inverse Z = D^-1 L^-1 + (1 - L^T) Z within the band, from its end [Takahashi, Fagan and Chin 1973].
-void ChainMatrix::invert_band() {
+// The inverse Z = D^-1 L^-1 + (1 - L^T) Z within the band, from its end [Takahashi, Fagan and Chin 1973] up to this node.
+void ChainMatrix::invert_band(std::size_t first) {
     using Eight = Eigen::Matrix<double, 8, 1>;
     const auto eight = [](double* p) { return Eigen::Map<Eight>(p); };
     inverse_band_.resize(band_.size());
     double next[8][8] = {};  // of the next eight rows and columns
-    for (std::size_t c = 3 * nodes_; c-- > 0;) {
+    for (std::size_t c = 3 * nodes_; c-- > 3 * first;) {
         const double* const below = factor_.data() + c * stride;
         Eight column = Eight::Zero();
         for (std::size_t k = 0; k < 8; ++k) column -= below[k + 1] * eight(next[k]);
@@ -60,9 +60,9 @@ void go_up(Window& window, const double* factor, std::size_t node, std::size_t f
 Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> nodes) {
     const std::size_t count = nodes.size(), size = 3 * count;
     inverse_.resize(size * size + beyond);
-    invert_band();
     Window window;
     const auto node_at = [&](std::size_t place) { return static_cast<std::size_t>(nodes[place]); };
+    if (count > 0) invert_band(node_at(0));
     const auto inverse = [size, first = inverse_.data()](std::size_t column, std::size_t axis, std::size_t row) { return first + (3 * column + axis) * size + 3 * row; };
     for (std::size_t end = count; end > 0;) {
         const std::size_t begin = end > together ? end - together : 0;

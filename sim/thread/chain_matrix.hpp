@@ -44,7 +44,7 @@ class ChainMatrix {
     void solve(std::vector<Vec3>& x) const;
 
   private:
-    void invert_band();
+    void invert_band(std::size_t first);
     void solve_forward(std::vector<Vec3>& x) const;
     void solve_backward(std::vector<Vec3>& x) const;
 
