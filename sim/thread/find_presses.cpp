@@ -60,7 +60,7 @@ static Press* said_already(State& state, const Row& row) {
 }
 
 static void press_as_before(Press& press, const Row& before) {
-    const Vec3& n = press.row->normal;
+    const Vec3& n = press.normal;
     press.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
 }
 

@@ -19,7 +19,7 @@ static double contact_stiffness(const State& state) { return state.rod->def().co
 // The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from where they would
 // be. First across, then along.
 static Vec3 push_of(const Press& press, const Vec3& lacks) {
-    const Vec3& n = press.row->normal;
+    const Vec3& n = press.normal;
     const double before = press.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / press.gives);
     Vec3 drag = press.push - before * n + press.along * (lacks - (normal - before) * press.across);
     const double size2 = drag.squaredNorm(), most = press.friction * normal;
@@ -29,7 +29,7 @@ static Vec3 push_of(const Press& press, const Vec3& lacks) {
 
 // How it gives way to its own push, with `give` of the contact itself.
 static void measure_own(Press& press, const Mat3& responses, double give) {
-    const Vec3& n = press.row->normal;
+    const Vec3& n = press.normal;
     const Mat3 own = responses + give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
     press.across = own * n;
     press.gives = n.dot(press.across);
@@ -71,7 +71,7 @@ static double sweep(State& state, const Responses& responses) {
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
         const Vec3 lacks = press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - give * press.push;
-        if (press.push.squaredNorm() == 0 && lacks.dot(press.row->normal) <= 0) continue;  // as half of them
+        if (press.push.squaredNorm() == 0 && lacks.dot(press.normal) <= 0) continue;  // as half of them
         const Vec3 push = push_of(press, lacks), more = push - press.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
         if (more.squaredNorm() > 0) push_more(state, responses, c, more);

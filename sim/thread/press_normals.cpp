@@ -11,12 +11,12 @@ using Matrix = Eigen::Map<Table::Matrix>;
 
 Eigen::Index axes(std::size_t c) { return static_cast<Eigen::Index>(3 * c); }
 
-double normal_push(const Press& press) { return press.push.dot(press.row->normal); }
+double normal_push(const Press& press) { return press.push.dot(press.normal); }
 
 // How much nearer contact c is than it would be; negative: farther.
 double lacks(const State& state, std::size_t c, double give) {
     const Press& press = state.presses[c];
-    const Vec3& n = press.row->normal;
+    const Vec3& n = press.normal;
     return (press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c)).dot(n) - give * normal_push(press);
 }
 
@@ -29,7 +29,7 @@ Matrix responses_across(State& state, const Responses& responses) {
         const auto c = static_cast<std::size_t>(pushing[static_cast<std::size_t>(i)]);
         for (Eigen::Index j = 0; j <= i; ++j) {
             const auto d = static_cast<std::size_t>(pushing[static_cast<std::size_t>(j)]);
-            across(i, j) = state.presses[c].row->normal.dot(responses.block<3, 3>(axes(c), axes(d)) * state.presses[d].row->normal);
+            across(i, j) = state.presses[c].normal.dot(responses.block<3, 3>(axes(c), axes(d)) * state.presses[d].normal);
         }
     }
     return across;
@@ -50,7 +50,7 @@ bool solve_pushing(State& state, const Responses& responses, double give) {
     across.transpose().triangularView<Eigen::Upper>().solveInPlace(change);
     for (std::size_t i = 0; i < state.pushing.size(); ++i) {
         const auto c = static_cast<std::size_t>(state.pushing[i]);
-        push_more(state, responses, c, state.push_change[i] * state.presses[c].row->normal);
+        push_more(state, responses, c, state.push_change[i] * state.presses[c].normal);
     }
     return true;
 }
@@ -65,7 +65,7 @@ void drag_within_cone(State& state, const Responses& responses) {
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
         const double normal = normal_push(press), most = press.friction * std::max(0.0, normal);
-        const Vec3 drag = press.push - normal * press.row->normal;
+        const Vec3 drag = press.push - normal * press.normal;
         if (const double size = drag.norm(); size > most) push_more(state, responses, c, (most / size - 1) * drag);
     }
 }

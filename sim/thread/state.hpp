@@ -68,18 +68,19 @@ struct PushedRow {
 
 /// A contact of an elastic thread during one step.
 struct Press {
-    explicit Press(Row* of) : row(of) {}
+    explicit Press(Row* of) : row(of), normal(of->normal) {}
 
     Row* row;
+    Vec3 normal;                        ///< The row's: sweeps have it at hand with what follows.
+    Vec3 push = Vec3::Zero();           ///< [N] on the link, drag and all.
+    Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
+    double friction = 0;                ///< Coulomb's, and what a polyline lacks.
+    double gives = 0;                   ///< How its points give way to its own push across, across [m/N],
+    Vec3 across = Vec3::Zero();         ///< and in all;
+    Eigen::Matrix3d along = {};         ///< the push along that undoes a slip [N/m].
+    Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< Its push as a sweep began, and where sweeps lead.
     Pair pair;                      ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< Of those nodes in ChainMatrix::inverse_at.
-    double friction = 0;                ///< Coulomb's, and what a polyline lacks.
-    Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
-    Vec3 push = Vec3::Zero();           ///< [N] on the link, drag and all,
-    Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< as a sweep began, and where sweeps lead.
-    Vec3 across = Vec3::Zero();         ///< How its points give way to its own push across [m/N],
-    double gives = 0;                   ///< and across alone;
-    Eigen::Matrix3d along = {};         ///< the push along that undoes a slip [N/m].
 };
 
 /// What is found together with all others where thread lies on steel: the pull of a link, or the push of a contact. It acts on the
