@@ -16,6 +16,7 @@
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
 #include "app/bench/shape.hpp"
+#include "app/bench/strand_capstan.hpp"
 #include "app/bench/thread_rope.hpp"
 #include "app/bench/tight_elastic.hpp"
 #include "sim/thread/rod.hpp"
@@ -199,6 +200,7 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
         if (progress) progress(drawn.what);
         add_capstan(suite, drawn, quick);
     }
+    for (const Row& row : strand_capstan_rows(quick)) suite.rows.push_back(row);
     if (progress) progress("loose overhands");
     for (const Row& row : loose_overhand_rows(quick)) suite.rows.push_back(row);
     if (progress) progress("tight overhands and clasps");
