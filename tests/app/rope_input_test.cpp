@@ -174,4 +174,13 @@ TEST(BadInput, TheGoodFilesBesideThemAreTaken) {
     EXPECT_EQ(ending.said, "");
 }
 
+// A motion that ends within a tick would let go in its last one: the taut thread leaps, and that it lags would not be told.
+TEST(Rope, HoldsToTheEndOfAMotionThatEndsWithinATick) {
+    const Folder folder;
+    const std::string ends_within = header + "0,first,0,0,0\n0.0995,first,0,0,12\n0,last,3,0,0\n0.0995,last,3,0,12\n", dump = folder.path("d.jsonl");
+    ASSERT_EQ(run({"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", ends_within), "--thread", "elastic", "--out", dump}).exit, 0);
+    const std::string text = program::read(dump), end = text.substr(text.rfind("\"tick\""));
+    EXPECT_NE(end.find("[[0.0,0.0,12.0]"), std::string::npos) << end;
+}
+
 }  // namespace
