@@ -79,7 +79,7 @@ Effect bending(const Rod& rod, int links) {
             rounding / link,
             text("corners at 20 mN should be rounded over %.2f mm (a link is %.2f mm) and slack loops should spring "
                  "open; at "
-                 "1 N it is %.3f mm, nothing",
+                 "1 N it is %.3f mm",
                  rounding * 1000, link * 1000, std::sqrt(rod.bending) * 1000),
             "would cost \"model\": \"elastic\" in the drill's thread",
             "rounding of a corner at 20 mN, in mm",

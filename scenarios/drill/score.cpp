@@ -116,7 +116,9 @@ void score_knot(const Goal& goal, const world::Measures& measures, std::vector<S
                    is_asked(goal, name),
                    measures.knot_since_s,
                    ""};
-    if (!item.passed) item.why = why_not_tied(goal, name);
+    if (!item.passed)
+        item.why = is_untied(name) && measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught. There is no knot in what is left of it."
+                                                       : why_not_tied(goal, name);
     items.push_back(item);
 }
 

@@ -26,7 +26,9 @@ void World::break_where_pulled_too_hard() {
     const double place = place_mm(link, 0.5);
     char what[40];
     std::snprintf(what, sizeof what, "thread at %.2f N", tension_now_);
-    if (cut(link, 0.5)) log("break", what, place);
+    if (!cut(link, 0.5)) return;
+    log("break", what, place);
+    if (!measures_.broke_s) measures_.broke_s = time_s();
 }
 
 // Blades that close cut every strand that passes between them, as jaws would hold it; from the last, so that links before keep their

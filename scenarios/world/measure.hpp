@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct Measures {
                                                ///< against simulated tip, turns at a jaw's length.
     std::uint64_t pass_throughs = 0;
     double first_pass_through_s = 0;
+    std::optional<double> broke_s;        ///< When the thread first broke.
 };
 
 }  // namespace scenarios::world

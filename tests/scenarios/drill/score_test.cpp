@@ -52,6 +52,16 @@ TEST(Score, GoodTiePasses) {
     EXPECT_EQ(item("path_right", good()).band, "");
 }
 
+// A thread that broke was pulled through well enough: told that it was not, a resident would pull harder.
+TEST(Score, ABrokenThreadIsToldInsteadOfAThrowThatWasNotPulledThrough) {
+    world::Measures m = good();
+    m.knot = {};
+    m.knot.knot = "0_1";
+    EXPECT_EQ(item("knot", m).why.find("broke"), std::string::npos);
+    m.broke_s = 13.71;
+    EXPECT_EQ(item("knot", m).why.rfind("The thread broke at 13.71 s", 0), 0u) << item("knot", m).why;
+}
+
 // The granny is the mistake the drill exists for: it must fail, and say how to do it right.
 TEST(Score, GrannyWhereSquareWasAskedFailsAndTeaches) {
     world::Measures m = good();
