@@ -20,6 +20,7 @@ struct Lane {
         return std::memcpy(&lane.q, first, sizeof lane.q), lane;
     }
     void to(double* first) const { std::memcpy(first, &q, sizeof q); }
+    /// The first three of them, for what is stored as vectors.
     void three_to(double* first) const { std::memcpy(first, &q, 3 * sizeof(double)); }
 
     double operator[](std::size_t k) const { return q[k]; }
