@@ -71,14 +71,31 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
-// What of its motion a tool may make where it presses on a link: all that any may be in it while it hardly is, for the link answers within
-// the step; where that left it farther in, no farther than any may be.
-static double share_into(const State& state, const Row& row) {
-    const MovingCapsule& tool = state.input.capsules[at(row.other)];
-    const double into = (tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a)).dot(row.normal);
-    const double depth = row.thickness - row.distance, most = 0.8 * steel_limit * 2 * state.def.radius;  // the rest is for turns
-    const double room = depth < 0.6 * most ? most : std::max(0.0, most - depth);
+// What of a motion may be made that leads `into` what a contact is with: no farther than any may be in it; the rest is for turns.
+static double share_into(const State& state, const Row& row, double into, bool is_answered) {
+    const double depth = row.thickness - row.distance, most = 0.8 * steel_limit * 2 * state.def.radius;
+    const double room = is_answered && depth < 0.6 * most ? most : std::max(0.0, most - depth);
     return into > room ? room / into : 1;
+}
+
+// A tool presses on a link, which while it hardly is in it answers within the step.
+static double share_of_tool(const State& state, const Row& row) {
+    const MovingCapsule& tool = state.input.capsules[at(row.other)];
+    const Vec3 way = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
+    return share_into(state, row, way.dot(row.normal), true);
+}
+
+// Neither a held node nor a wall gives way.
+static double share_at_walls(const State& state, std::size_t hold) {
+    const int node = state.input.holds[hold].node;
+    const Vec3 way = state.input.holds[hold].target - state.hold_from[hold];
+    const auto is_of = [&](const auto& near) { return near.against == Against::surface && (near.link == node || near.link + 1 == node); };
+    double share = 1;
+    for (const Contact& c : state.contacts)
+        if (is_of(c)) share = std::min(share, std::max(state.def.radius, c.measured - 2 * (state.moved - c.measured_at) - c.thickness) / way.norm());
+    for (const Row& row : state.rows)
+        if (is_of(row)) share = std::min(share, share_into(state, row, -(row.link == node ? 1 - row.s : row.s) * way.dot(row.normal), false));
+    return share;
 }
 
 // Whether the tool holds an end of the link.
@@ -95,7 +112,8 @@ static double share_of_tools(const State& state, double left, const Motion& moti
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
     for (const Row& row : state.rows)
-        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_into(state, row));
+        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_of_tool(state, row));
+    for (std::size_t h = 0; h < state.hold_from.size(); ++h) share = std::min(share, share_at_walls(state, h));
     return share / left;
 }
 
