@@ -7,6 +7,7 @@
 
 #include "app/bench/gauge.hpp"
 #include "app/bench/stopwatch.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
@@ -44,7 +45,7 @@ struct Hooked {
     void add(const std::vector<Vec3>& path) {
         double length = 0;
         for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
-        const auto laid = sim::thread::resample(path, static_cast<int>(std::lround(length / link)));
+        const auto laid = sim::geometry::resample(path, static_cast<int>(std::lround(length / link)));
         nodes.insert(nodes.end(), laid.begin() + (nodes.empty() ? 0 : 1), laid.end());
         ends.push_back(static_cast<int>(nodes.size()) - 1);
     }

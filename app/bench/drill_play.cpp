@@ -7,6 +7,7 @@
 #include "app/bench/wall_watch.hpp"
 #include "app/play/session.hpp"
 #include "scenarios/drill/motion.hpp"
+#include "sim/geometry/resample.hpp"
 
 namespace app::bench {
 
@@ -65,7 +66,7 @@ scenarios::drill::Drill drill_of(const Scene& scene) {
 Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before) {
     Frame frame;
     // As many as at first, in the same places along the thread, though its links change: so that two ways can be compared.
-    frame.nodes = sim::thread::resample(world.thread(), world.def().thread.links);
+    frame.nodes = sim::geometry::resample(world.thread(), world.def().thread.links);
     for (const auto& tool : world.tools()) {
         for (const auto& part : instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw)) frame.tools.push_back(part);
         if (!tool.grasps.empty()) frame.lag = std::max(frame.lag, tool.lag());

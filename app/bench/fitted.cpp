@@ -8,6 +8,7 @@
 #include "app/bench/speed.hpp"
 #include "app/bench/stopwatch.hpp"
 #include "sim/geometry/closest_points.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/knot/namer.hpp"
 
 // 150 mm of 6-0 lie in a loose square knot above a loop, which is pulled tight by its tails: in links as long as the thread
@@ -85,7 +86,7 @@ Tied tie(double link, double shortest) {
     // As loose as a rope would lie in it that is as thick as the long links are long.
     std::vector<Vec3> nodes =
         loose_thread(looped(Knot::square, loop_depth), static_cast<int>(length / long_link), long_link, 0.5 * long_link).nodes;
-    nodes = sim::thread::resample(nodes, static_cast<int>(std::lround(length / link)));
+    nodes = sim::geometry::resample(nodes, static_cast<int>(std::lround(length / link)));
     Loop loop({.shortest_link = shortest}, nodes);
     Tied tied;
     double was = (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm();

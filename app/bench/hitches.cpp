@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/bench/curves.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/knot/namer.hpp"
 #include "sim/thread/thread.hpp"
 
@@ -56,7 +57,7 @@ struct Play {
             if (!path.empty()) length += (scale * p - path.back()).norm();
             path.push_back(scale * p);
         }
-        return sim::thread::resample(path, static_cast<int>(length / (2 * def.radius)));
+        return sim::geometry::resample(path, static_cast<int>(length / (2 * def.radius)));
     }
 
     // What the ends came out by [m].

@@ -1,6 +1,7 @@
 #include "app/bench/knots.hpp"
 
 #include "app/bench/throws.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
@@ -61,7 +62,7 @@ const std::array<KnownKnot, 8> known_knots{{{Knot::trefoil, "trefoil", "3_1"},
 const KnownKnot& known(Knot knot) { return known_knots[static_cast<std::size_t>(knot)]; }
 
 std::vector<Vec3> rounded(const std::vector<Vec3>& corners, int times, int pieces) {
-    std::vector<Vec3> path = sim::thread::resample(corners, pieces), before;
+    std::vector<Vec3> path = sim::geometry::resample(corners, pieces), before;
     for (int k = 0; k < times; ++k) {
         before = path;
         for (std::size_t i = 1; i < static_cast<std::size_t>(pieces); ++i) path[i] = 0.5 * before[i] + 0.25 * (before[i - 1]

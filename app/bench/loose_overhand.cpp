@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/geometry/resample.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
@@ -58,7 +59,7 @@ Thread thread_of(const LooseOverhand& knot) {
     const int links = static_cast<int>(std::lround(length / (2 * pi * loop) * knot.links));
     sim::thread::ThreadDef def{.radius = radius, .friction = knot.friction, .axial_stiffness = material(loop).axial_stiffness(length / links)};
     if (knot.elastic) def.elastic = material(loop);
-    return {def, sim::thread::resample(path, links)};
+    return {def, sim::geometry::resample(path, links)};
 }
 
 class Drawing {

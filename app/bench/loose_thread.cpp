@@ -4,6 +4,7 @@
 #include "app/bench/gauge.hpp"
 #include "app/bench/knots.hpp"
 #include "app/bench/start_shapes.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
@@ -39,7 +40,7 @@ Loose loose_thread(const std::vector<Vec3>& path, int links, double link, double
     for (double scale = 10 * 2 * radius / core; scale < 1000 * 2 * radius / core; scale *= 1.1) {
         const int needed = std::max(links, static_cast<int>(std::ceil((scale * core + 2 * least_tail) / link)));
         const double tail = 0.5 * (needed * link - scale * core);
-        start = {sim::thread::resample(scaled(path, scale, tail), needed), static_cast<int>(tail / link)};
+        start = {sim::geometry::resample(scaled(path, scale, tail), needed), static_cast<int>(tail / link)};
         if (fits(start.nodes, link, radius)) break;
     }
     return start;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/geometry/resample.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace app::bench {
@@ -65,7 +66,7 @@ double strut(int links, double shortening) {
     };
     double low = 0, high = 1;
     for (int i = 0; i < 50; ++i) (length(wave(0.5 * (low + high))) < 1 ? low : high) = 0.5 * (low + high);
-    const std::vector<Vec3> nodes = sim::thread::resample(wave(low), links);
+    const std::vector<Vec3> nodes = sim::geometry::resample(wave(low), links);
     const double whole = length(nodes);
     Rod rod(unit_rod(), nodes);
     const Hold ends[] = {{0, nodes[0]}, {links, Vec3((1 - shortening) * whole, 0, 0)}};

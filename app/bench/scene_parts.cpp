@@ -7,6 +7,7 @@
 #include "app/bench/start_shapes.hpp"
 #include "assets/curve.hpp"
 #include "assets/mesh.hpp"
+#include "sim/geometry/resample.hpp"
 
 namespace app::bench {
 
@@ -76,7 +77,7 @@ std::vector<Vec3> nodes_of(const json& thread, const std::filesystem::path& fold
         if (path[i] == path[i + 1]) throw Misfit{"/thread/start", "points " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same place"};
     if (!has_links && shape == "points") return path;
     const int links = has_links ? thread["links"].get<int>() : std::max(1, static_cast<int>(std::lround(length_of(path) / link)));
-    std::vector<Vec3> nodes = sim::thread::resample(path, links);
+    std::vector<Vec3> nodes = sim::geometry::resample(path, links);
     if (thread.contains("short_link")) cut_short_link(nodes, thread["short_link"]);
     return nodes;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/geometry/closest_points.hpp"
+#include "sim/geometry/resample.hpp"
 
 namespace app::bench {
 
@@ -57,7 +58,7 @@ sim::thread::Thread lay(const ThreadInTube::Def& def) {
     constexpr double link = 0.3 * mm;
     sim::thread::ThreadDef thread{.radius = radius, .friction = def.friction, .axial_stiffness = young * section, .shortest_link = 2 * radius};
     if (def.is_elastic) thread.elastic = sim::thread::RodDef{.radius = radius, .young = young, .bending_share = def.bending_share, .axial_over_bending = 0};
-    return {thread, sim::thread::resample(path, static_cast<int>(std::lround(length / link)))};
+    return {thread, sim::geometry::resample(path, static_cast<int>(std::lround(length / link)))};
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ int explain_command(const ExplainOptions& options);
 struct RopeOptions {
     std::string curve, motion, out, obstacle, thread = "ftl";
     double radius_mm = 0.05, friction = 0.15, tick_s = 0.001, young_MPa = 2800, density_kg_m3 = 905;
-    std::int64_t links = 0, every = 1;
+    std::optional<std::int64_t> links;
+    std::int64_t every = 1;
     bool gravity = false, json = false;
 };
 int rope_command(const RopeOptions& options);

@@ -11,6 +11,7 @@
 #include "app/rope/run.hpp"
 #include "assets/curve.hpp"
 #include "assets/mesh.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/knot/namer.hpp"
 
 namespace app {
@@ -44,8 +45,8 @@ void check(const RopeOptions& o) {
     check_range("--young", o.young_MPa, 1e-3, 1e6, " MPa");
     check_range("--density", o.density_kg_m3, 1, 1e5, " kg/m^3");
     check_range("--every", static_cast<double>(o.every), 1, most_ticks, " ticks");
-    if (o.links != 0 && !(o.links >= 1 && o.links <= most_links))
-        fail(o.curve, "--links: expected 1 to " + std::to_string(most_links) + ", found " + std::to_string(o.links));
+    if (o.links && !(*o.links >= 1 && *o.links <= most_links))
+        fail(o.curve, "--links: expected 1 to " + std::to_string(most_links) + ", found " + std::to_string(*o.links));
 }
 
 std::vector<Vec3> read_curve(const std::string& file) try {
@@ -87,7 +88,7 @@ void resample(rope::Experiment& experiment, int links, const std::string& motion
                                   std::to_string(links) + ", expected more links");
         previous = held.node;
     }
-    experiment.nodes = sim::thread::resample(given, links);
+    experiment.nodes = sim::geometry::resample(given, links);
 }
 
 // Of an ftl thread the neighbours of one link of a thirtieth of the radius, far longer than it, have passed each other: they are too near along the thread to
@@ -119,10 +120,10 @@ rope::Experiment read(const RopeOptions& options) {
     }
     experiment.nodes = read_curve(options.curve);
     experiment.motion = rope::load_motion(options.motion, static_cast<int>(experiment.nodes.size()));
-    if (options.links > 0) resample(experiment, static_cast<int>(options.links), options.motion);
+    if (options.links) resample(experiment, static_cast<int>(*options.links), options.motion);
     if (!experiment.thread.elastic) check_links(options, experiment.nodes);
     if (experiment.thread.elastic && experiment.nodes.size() < 3)
-        fail(options.links > 0 ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");
+        fail(options.links ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");
     experiment.tick = options.tick_s;
     experiment.every = static_cast<int>(options.every);
     const double ticks = rope::ticks_of(experiment);
@@ -130,6 +131,12 @@ rope::Experiment read(const RopeOptions& options) {
         fail(options.motion, "takes " + std::to_string(static_cast<long>(ticks)) + " ticks, expected 1 to " +
                                  std::to_string(static_cast<long>(most_ticks)));
     return experiment;
+}
+
+// Nearer than it is thick it is pushed out; where its middle line touches no side is out.
+void check_start(const std::string& file, const std::vector<Vec3>& nodes, double radius, const TriangleTree& obstacle) {
+    if (const int link = sim::geometry::first_nearer(nodes, obstacle, 0.1 * radius); link >= 0)
+        fail(file, "link " + std::to_string(link) + " of the thread starts through the obstacle, expected to start clear of it");
 }
 
 bool both_ends_held_throughout(const rope::Experiment& experiment) {
@@ -196,6 +203,7 @@ int rope_command(const RopeOptions& options) {
     std::unique_ptr<TriangleTree> obstacle;
     if (!options.obstacle.empty()) obstacle = std::make_unique<TriangleTree>(read_obstacle(options.obstacle));
     experiment.obstacle = obstacle.get();
+    if (obstacle) check_start(options.curve, experiment.nodes, experiment.thread.radius, *obstacle);
     std::ofstream positions;
     if (!options.out.empty()) {
         expect_writable("--out", options.out, {options.curve, options.motion, options.obstacle});

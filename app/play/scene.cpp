@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "app/fault.hpp"
-#include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/portable_math.hpp"
+#include "sim/geometry/resample.hpp"
+#include "sim/geometry/triangle_tree.hpp"
 #include "tissue/wall.hpp"
 
 namespace app {
@@ -30,14 +31,14 @@ assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel, double thread_di
 }
 
 // A drill is checked against its tubes when it is read; what a mesh looks like is known only here.
-void check_start_is_clear(const scenarios::world::WorldDef& def, const std::string& mesh_file, const assets::Mesh& mesh) {
-    const auto& start = def.thread.start;
-    for (std::size_t i = 0; i + 1 < start.size(); ++i)
-        for (const auto& triangle : mesh.soup())
-            if (sim::geometry::closest_points(start[i], start[i + 1], triangle).distance_squared <
-                def.thread.diameter * def.thread.diameter / 4)
-                throw InputFault(mesh_file + ": error: the thread starts in this wall, behind corner " +
-                                 std::to_string(i) + " of the drill's /thread/start_mm, expected to start clear of it");
+void check_start_is_clear(const scenarios::world::ThreadDef& thread, const std::string& mesh_file, const assets::Mesh& mesh) {
+    const sim::geometry::TriangleTree wall(mesh.soup());
+    if (const int corner = first_nearer(thread.start, wall, thread.diameter / 2); corner >= 0)
+        throw InputFault(mesh_file + ": error: the thread starts in this wall, behind corner " + std::to_string(corner) +
+                         " of the drill's /thread/start_mm, expected to start clear of it");
+    if (const int link = first_nearer(sim::geometry::resample(thread.start, thread.links), wall, thread.diameter / 2); link >= 0)
+        throw InputFault(mesh_file + ": error: of the drill's " + std::to_string(thread.links) + " links number " + std::to_string(link) +
+                         " starts in this wall, expected more of them at /thread/links, or a start farther from it");
 }
 
 // What is no wall, or takes too long: a step is the slower the more cells there are.
@@ -58,7 +59,7 @@ scenarios::world::WorldDef with_walls(scenarios::world::WorldDef def) {
         vessel.outside = mesh.vertices;
         vessel.triangles = mesh.triangles;
         check_wall(vessel);
-        check_start_is_clear(def, vessel.mesh_file, mesh);
+        check_start_is_clear(def.thread, vessel.mesh_file, mesh);
     }
     return def;
 }
@@ -68,7 +69,7 @@ std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
     for (const auto& vessel : def.vessels) {
         if (vessel.is_soft) continue;
         meshes.push_back(mesh_of(vessel, def.thread.diameter));
-        if (!vessel.mesh_file.empty()) check_start_is_clear(def, vessel.mesh_file, meshes.back());
+        if (!vessel.mesh_file.empty()) check_start_is_clear(def.thread, vessel.mesh_file, meshes.back());
     }
     return meshes;
 }

@@ -4,6 +4,7 @@
 
 #include "scenarios/drill/shape.hpp"
 #include "sim/geometry/closest_points.hpp"
+#include "sim/geometry/resample.hpp"
 
 namespace scenarios::drill {
 
@@ -40,19 +41,27 @@ double gap(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
     return std::sqrt(closest_points(a0, a1, b0, b1).distance_squared);
 }
 
-std::optional<StartProblem> clear_of_tubes(const world::WorldDef& world) {
-    const auto& path = world.thread.start;
+// A piece of a path, and the tube that it lies in.
+struct InTube {
+    int piece;
+    const world::VesselDef* vessel;
+};
+
+std::optional<InTube> in_tube(const world::WorldDef& world, std::span<const Vec3> path) {
     for (const world::VesselDef& vessel : world.vessels) {
         if (!vessel.mesh_file.empty()) continue;
         const Vec3 half = vessel.length / 2 * vessel.axis;
         const double clear = (vessel.diameter + world.thread.diameter) / 2;
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
-            if (gap(path[i], path[i + 1], vessel.centre - half, vessel.centre + half) < clear)
-                return StartProblem{static_cast<int>(i),
-                                    "from here to the next corner the thread is inside the vessel \"" + vessel.name +
-                                        "\", expected to start clear of it"};
+            if (gap(path[i], path[i + 1], vessel.centre - half, vessel.centre + half) < clear) return InTube{static_cast<int>(i), &vessel};
     }
     return {};
+}
+
+std::optional<StartProblem> clear_of_tubes(const world::WorldDef& world) {
+    const auto in = in_tube(world, world.thread.start);
+    if (!in) return {};
+    return StartProblem{in->piece, "from here to the next corner the thread is inside the vessel \"" + in->vessel->name + "\", expected to start clear of it"};
 }
 
 // Pieces as long as a bend needs that leave a corner side by side: what is as far from it on one is within a diameter on the other.
@@ -80,12 +89,29 @@ std::optional<StartProblem> clear_of_itself(const world::ThreadDef& thread) {
     return {};
 }
 
+// Few links cut corners.
+std::optional<StartProblem> links_clear(const world::WorldDef& world) {
+    const world::ThreadDef& thread = world.thread;
+    const std::vector<Vec3> nodes = sim::geometry::resample(thread.start, thread.links);
+    const double link = thread.length / thread.links;
+    const std::string few = "of " + std::to_string(thread.links) + " links number ";
+    if (const auto in = in_tube(world, nodes))
+        return StartProblem{-1, few + std::to_string(in->piece) + " is inside the vessel \"" + in->vessel->name + "\", expected more links, or a start farther from it"};
+    const auto apart = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(3 * thread.diameter / link)));
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+        for (std::size_t j = i + apart; j + 1 < nodes.size(); ++j)
+            if (gap(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]) < thread.diameter / 2)
+                return StartProblem{-1, few + std::to_string(i) + " lies in number " + std::to_string(j) + ", expected more links, or a wider bend"};
+    return {};
+}
+
 }  // namespace
 
 std::optional<StartProblem> cut_and_check_start(world::WorldDef& world) {
     if (auto problem = cut(world.thread)) return problem;
     if (auto problem = clear_of_tubes(world)) return problem;
-    return clear_of_itself(world.thread);
+    if (auto problem = clear_of_itself(world.thread)) return problem;
+    return links_clear(world);
 }
 
 std::vector<Vec3> start_behind(const world::WorldDef& world) {

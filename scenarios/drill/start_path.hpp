@@ -14,7 +14,7 @@ struct StartProblem {
 };
 
 /// Cuts thread.start to thread.length, measured from its first corner, and checks that a thread can lie there: long
-/// enough, no corner given twice, clear of every tube and of itself. Cost: quadratic in corners.
+/// enough, no corner given twice, clear of every tube and of itself, and so its links. Cost: quadratic in corners and links.
 std::optional<StartProblem> cut_and_check_start(world::WorldDef& world);
 
 /// With a needle, the path's first two corners: its tail, and behind it along its wire as far as it is sure to go straight.

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "sim/geometry/resample.hpp"
+
 namespace scenarios::world {
 
 static double section(const ThreadDef& def) {
@@ -33,7 +35,7 @@ static sim::thread::Thread make_thread(const ThreadDef& def) {
     }
     sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section(def), def.shortest_link, def.contacts_per_tick};
     if (def.model == "elastic") thread.elastic = elastic(def);
-    return {thread, sim::thread::resample(path, def.links)};
+    return {thread, sim::geometry::resample(path, def.links)};
 }
 
 static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {

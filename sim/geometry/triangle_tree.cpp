@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "sim/geometry/closest_points.hpp"
+
 namespace sim::geometry {
 
 constexpr int leaf_size = 4;  // Triangles tested one by one rather than split further.
@@ -84,6 +86,20 @@ void TriangleTree::near(const Box& box, std::vector<int>& found) const {
             if (boxes_[static_cast<std::size_t>(index)].overlaps(box)) found.push_back(index);
         }
     }
+}
+
+int first_nearer(std::span<const Vec3> path, const TriangleTree& triangles, double distance) {
+    std::vector<int> near;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        Box box;
+        box.include(path[i]);
+        box.include(path[i + 1]);
+        near.clear();
+        triangles.near(box.grown(distance), near);
+        for (const int triangle : near)
+            if (closest_points(path[i], path[i + 1], triangles[triangle]).distance_squared < distance * distance) return static_cast<int>(i);
+    }
+    return -1;
 }
 
 }  // namespace sim::geometry

@@ -45,4 +45,7 @@ class TriangleTree {
     std::vector<Node> nodes_;
 };
 
+/// First piece of a path that is nearer than `distance` [m] to one of them; -1: none. O(points log triangles).
+int first_nearer(std::span<const Vec3> path, const TriangleTree& triangles, double distance);
+
 }  // namespace sim::geometry

@@ -147,7 +147,4 @@ struct Strength {
     bool gives_way(double pull, double tick_s, bool is_elastic);  ///< In this tick.
 };
 
-/// Resamples a path to `links` links of equal length; the last node is the path's end. Path of at least 2 points.
-std::vector<Vec3> resample(std::span<const Vec3> path, int links);
-
 }  // namespace sim::thread

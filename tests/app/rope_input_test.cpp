@@ -94,7 +94,8 @@ std::vector<Case> rope_cases() {
         cases.push_back({"rope: " + what, options, blamed, {{"c.csv", curve}, {"m.csv", motion}}});
     };
     with_options("a billion links", "c.csv", {"--links", "1000000000"});
-    with_options("no links", "c.csv", {"--links", "-1"});
+    with_options("fewer than no links", "c.csv", {"--links", "-1"});
+    with_options("no links", "c.csv", {"--links", "0"});
     with_options("shorter than a tick", "--tick", {"--tick", "1e9"});
     with_options("radius is NaN", "--radius", {"--radius", "nan"});
     with_options("radius of nothing", "--radius", {"--radius", "0"});
@@ -106,6 +107,8 @@ std::vector<Case> rope_cases() {
     with_options("weight of a thread that has none", "--gravity", {"--gravity"});
     with_options("positions into a folder that is not there", "nowhere", {"--out", "@nowhere/x.jsonl"});
     with_options("an obstacle of another kind", "m.csv", {"--obstacle", "@m.csv"});
+    cases.push_back({"rope: a start through the obstacle", {"rope", "@c.csv", "--motion", "@m.csv", "--obstacle", "@o.obj"}, "c.csv",
+                     {{"c.csv", curve}, {"m.csv", motion}, {"o.obj", "v 1.5 -1 -1\nv 1.5 1 -1\nv 1.5 0 2\nf 1 2 3\n"}}});
     return cases;
 }
 

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "sim/geometry/closest_points.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/knot/namer.hpp"
 #include "tests/sim/thread/scene.hpp"
 
@@ -77,7 +78,7 @@ TEST(Links, WhatIsPulledStraightHasLongOnesAgain) {
     for (int i = 1; i <= 8; ++i) bent.emplace_back(bend * std::sin(i * 0.35), 0, bend * (1 - std::cos(i * 0.35)));
     const Vec3 on = (bent.back() - bent[bent.size() - 2]).normalized();
     for (int i = 1; i <= 30; ++i) bent.push_back(bent[38] + i * long_link * on);
-    Thread thread({.shortest_link = 2 * radius}, sim::thread::resample(bent, 64));
+    Thread thread({.shortest_link = 2 * radius}, sim::geometry::resample(bent, 64));
     app::bench::Hands hands(thread);
     for (int i = 0; i < 3; ++i) hands.fit_links(thread);
     const std::size_t when_bent = thread.rest_lengths().size();

@@ -6,6 +6,7 @@
 
 #include "app/bench/hands.hpp"
 #include "app/bench/start_shapes.hpp"
+#include "sim/geometry/resample.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace scene {
@@ -26,7 +27,7 @@ inline std::vector<Vec3> overhand(int links = 200, double thread_radius = radius
     std::vector<Vec3> path = app::bench::overhand_path();
     const double scale = 2 * thread_radius * links / app::bench::length_of(path);
     for (Vec3& p : path) p *= scale;
-    return sim::thread::resample(path, links);
+    return sim::geometry::resample(path, links);
 }
 
 /// A straight thread along x from the origin, links of one thread thickness.
