@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/geometry/closest_points.hpp"
 #include "sim/thread/press.hpp"
 
 // A tick of an elastic thread: one implicit step in which the rod and all that it touches are linear, a step of Newton's method; what
@@ -71,10 +72,12 @@ static void add_changes(State& state) {
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
-// What of a motion may be made that leads `into` what a contact is with: no farther than any may be in it; the rest is for turns.
-static double share_into(const State& state, const Row& row, double into, bool is_answered) {
-    const double depth = row.thickness - row.distance, most = 0.8 * steel_limit * 2 * state.def.radius;
-    const double room = is_answered && depth < 0.6 * most ? most : std::max(0.0, most - depth);
+// How far a tool or a wall may be in a link; the rest is for turns.
+static double deepest(const State& state) { return 0.8 * steel_limit * 2 * state.def.radius; }
+
+// What of a motion may be made that leads `into` what a contact is with, from where it is by `depth`.
+static double share_into(const State& state, double depth, double into) {
+    const double room = std::max(0.0, deepest(state) - depth);
     return into > room ? room / into : 1;
 }
 
@@ -82,7 +85,8 @@ static double share_into(const State& state, const Row& row, double into, bool i
 static double share_of_tool(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const Vec3 way = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
-    return share_into(state, row, way.dot(row.normal), true);
+    const double depth = row.thickness - row.distance;
+    return share_into(state, depth < 0.6 * deepest(state) ? 0 : depth, way.dot(row.normal));
 }
 
 // Neither a held node nor a wall gives way.
@@ -94,7 +98,7 @@ static double share_at_walls(const State& state, std::size_t hold) {
     for (const Contact& c : state.contacts)
         if (is_of(c)) share = std::min(share, std::max(state.def.radius, c.measured - 2 * (state.moved - c.measured_at) - c.thickness) / way.norm());
     for (const Row& row : state.rows)
-        if (is_of(row)) share = std::min(share, share_into(state, row, -(row.link == node ? 1 - row.s : row.s) * way.dot(row.normal), false));
+        if (is_of(row)) share = std::min(share, share_into(state, row.thickness - row.distance, -(row.link == node ? 1 - row.s : row.s) * way.dot(row.normal)));
     return share;
 }
 
@@ -106,15 +110,38 @@ static bool goes_along(const State& state, const Row& row) {
     return false;
 }
 
-// What share of the motion that is left tools may make before we look again.
+// What share of the motion that is left tools may make before we look again, should the thread answer as freely as it may.
 static double share_of_tools(const State& state, double left, const Motion& motion) {
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
     for (const Contact& c : state.contacts)
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
-    for (const Row& row : state.rows)
-        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_of_tool(state, row));
     for (std::size_t h = 0; h < state.hold_from.size(); ++h) share = std::min(share, share_at_walls(state, h));
     return share / left;
+}
+
+// And should it not.
+static double careful_share(const State& state, double left, double share) {
+    for (const Row& row : state.rows)
+        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_of_tool(state, row) / left);
+    return share;
+}
+
+// Whether a step may be found twice: not where one solves as many contacts as a tick may.
+static bool may_dare(const State& state) {
+    const int enough = state.def.contacts_per_tick;
+    return enough == 0 || static_cast<int>(state.pressed.size()) < enough;
+}
+
+// Whether the step leaves a tool farther in a link than any may be.
+static bool is_deep(const State& state) {
+    const std::span<const Vec3> step = state.rod->step_found();
+    const auto then = [&](int node) { return Vec3(state.nodes[at(node)] + step[at(node)]); };
+    return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const Contact& c) {
+        if (c.against != Against::capsule || c.gap - c.thickness > closing(state)) return false;
+        const Capsule& tool = state.capsules[at(c.other)];
+        const double least = c.thickness - deepest(state);
+        return geometry::closest_points(then(c.link), then(c.link + 1), tool.a, tool.b).distance_squared < least * least;
+    });
 }
 
 static void set_progress(State& state, double progress) {
@@ -163,8 +190,10 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
     measure_tool_gaps(state);
     constexpr double by_tools = 0.99;  // of the most pull; the rest is for what the thread does by itself
     const double most = rod.def().most_pull();
-    double tools = share_of_tools(state, left, motion);
+    const double daring = share_of_tools(state, left, motion), careful = careful_share(state, left, daring);
+    double tools = may_dare(state) ? daring : careful;
     answer(state, left, tools, motion, report);
+    if (tools > careful && is_deep(state)) answer(state, left, tools = careful, motion, report);
     const double may_pull = rod.share_within(by_tools * most);
     const bool is_taut = may_pull < 1;
     if (is_taut) answer(state, left, tools *= may_pull, motion, report);
