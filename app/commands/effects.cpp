@@ -19,8 +19,7 @@ constexpr double g = 9.81;               ///< [m/s^2]
 constexpr double handling_N = 0.02;      ///< Tension while a thread is moved about.
 constexpr double slack_N = 1e-4;         ///< Tension of a loop that hangs free.
 constexpr double tissue_pull_N = 0.1;    ///< Pull of a thread on a vessel while a throw is laid.
-constexpr double wall_modulus = 0.3e6;   ///< [Pa] Arterial wall at handling strain; 0.26 MPa from [Konig2009].
-constexpr double retention_N = 1.35;     ///< Pull that tears a 0.4 mm wall at a 2 mm bite [Konig2009].
+constexpr double retention_per_m = 1.35 / 0.4e-3;  ///< [N/m] Pull that tears a wall at a 2 mm bite, by its thickness [Konig2009].
 constexpr double pressure_Pa = 13.33e3;  ///< 100 mmHg.
 
 /// What the formulas need of a thread. SI.
@@ -65,14 +64,15 @@ Effect gravity(const Rod& rod) {
                  "20 mN the whole length should sag %.2f mm",
                  one_percent * 1000, sag * 1000),
             "would cost \"gravity\" in the effects of an elastic thread, one addition per node",
-            "sag of a free tail as long as the thread, share of its length",
+            "sag of a free tail as long as the thread, share of its length, by the law of small sags",
             std::min(1.0, ratio * ratio * ratio / 8),
             2};
 }
 
-// A pulled thread rounds a corner over sqrt(B / T).
-Effect bending(const Rod& rod, int links) {
-    const double rounding = std::sqrt(rod.bending / handling_N), link = rod.length / links;
+// A pulled thread rounds a corner over sqrt(B / T); where it bends, links may be halved.
+Effect bending(const Rod& rod, const scenarios::world::ThreadDef& thread) {
+    const double rounding = std::sqrt(rod.bending / handling_N), whole = rod.length / thread.links;
+    const double link = thread.shortest_link > 0 ? std::min(whole, thread.shortest_link) : whole;
     return {"bending",
             false,
             "sqrt(B / T) / link",
@@ -142,34 +142,47 @@ const scenarios::world::VesselDef* soft_vessel(const Drill& drill) {
     return soft == vessels.end() ? nullptr : &*soft;
 }
 
+// The one that matters most: the thinnest of those that give way, or else of all.
+const scenarios::world::VesselDef* weakest_vessel(const Drill& drill) {
+    const scenarios::world::VesselDef* weakest = nullptr;
+    for (const auto& vessel : drill.world.vessels) {
+        if (!vessel.mesh_file.empty() && !vessel.is_soft) continue;
+        const bool weaker = !weakest || vessel.is_soft > weakest->is_soft || (vessel.is_soft == weakest->is_soft && vessel.wall < weakest->wall);
+        if (weaker) weakest = &vessel;
+    }
+    return weakest;
+}
+
 // Local strain of a wall pulled over 1 mm of width: F / (E t w).
 Effect tissue(const Drill& drill) {
-    double wall = 0;
-    for (const auto& vessel : drill.world.vessels)
-        if (vessel.mesh_file.empty() || vessel.is_soft) wall = wall == 0 ? vessel.wall : std::min(wall, vessel.wall);
-    if (wall == 0)
-        return {"tissue",       false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate",
-                "costs nothing"};
-    const auto* soft = soft_vessel(drill);
-    const bool on = soft != nullptr;
-    const double strain = tissue_pull_N / ((on ? soft->young_modulus : wall_modulus) * wall * 1e-3);
+    const auto* vessel = weakest_vessel(drill);
+    if (!vessel) return {"tissue", false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate", "costs nothing"};
+    const bool on = vessel->is_soft;
+    const double strain = tissue_pull_N / (vessel->young_modulus * vessel->wall * 1e-3);
     return {"tissue",
             on,
             "F / (E t w) at 0.1 N, 1 mm",
             strain,
-            text("a pull of 0.1 N should stretch the wall by about %.0f %%; ", 100 * strain) +
+            text("a pull of 0.1 N should stretch %.1f mm of a wall of %.2f MPa by about %.0f %%; ", 1e3 * vessel->wall, 1e-6 * vessel->young_modulus, 100 * strain) +
                 (on ? "the wall gives way" : "the rigid vessel does not give way, so judge knots here, not tissue"),
             on ? "0.3 ms, a step of one vessel a tick" : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
+double retention_N(const Drill& drill) {
+    const auto* vessel = weakest_vessel(drill);
+    return retention_per_m * (vessel ? vessel->wall : 0.4e-3);
+}
+
 Effect tear(const Drill& drill, const Rod& rod) {
     const bool on = soft_vessel(drill) != nullptr;
+    const auto* vessel = weakest_vessel(drill);
+    const double retention = retention_N(drill);
     return {"tear",
             on,
             "breaking load / retention",
-            rod.break_force / retention_N,
-            text("a 0.4 mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", retention_N,
-                 rod.break_force > retention_N ? "before this thread breaks" : "after this thread breaks",
+            rod.break_force / retention,
+            text("a %.1f mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", vessel ? 1e3 * vessel->wall : 0.4, retention,
+                 rod.break_force > retention ? "before this thread breaks" : "after this thread breaks",
                  on ? "each bite does by its own size" : "it never does"),
             on ? "a threshold per puncture" : "would cost a threshold per puncture"};
 }
@@ -182,9 +195,9 @@ Effect leak(const Drill& drill) {
     return {"leak",
             on,
             "p R / 2 * 1 mm / retention",
-            load / retention_N,
+            load / retention_N(drill),
             text("blood pressure (100 mmHg) should load a stitch each millimetre with %.4f N, %.1f %% of what tears it",
-                 load, 100 * load / retention_N),
+                 load, 100 * load / retention_N(drill)),
             on ? "one evaluation at the end" : "would cost one evaluation at the end"};
 }
 
@@ -227,7 +240,7 @@ std::vector<Effect> effects_of(const Drill& drill) {
     const Rod rod(drill.world.thread);
     std::vector<Effect> all{friction(drill.world.thread),
             gravity(rod),
-            bending(rod, drill.world.thread.links),
+            bending(rod, drill.world.thread),
             twist(rod),
             extension(rod),
             plastic_set(rod),

@@ -21,6 +21,7 @@ std::vector<std::string> missed(const scenarios::drill::Drill& drill) {
         std::ostringstream text;
         text.precision(3);
         text << "/effects/" << effect.name << ": off, but " << effect.group << " is " << effect.value << ", above " << *effect.needed_above << ": " << effect.error;
+        if (!drill.motion.empty()) text << "; its motion was tuned without, play it again with it on";
         sentences.push_back(text.str());
     }
     return sentences;

@@ -184,7 +184,7 @@ std::string Sheet::finish(const std::vector<double>& moments) const {
         if (std::isfinite(moment)) back += line(x(moment), 22, x(moment), foot, "moment");
     front += moment_numbers(moments);
     return "<svg viewBox=\"0 0 " + px(width) + " " + px(foot + 26) +
-           "\" role=\"img\" aria-label=\"Events, knot, grasps, tension, speed and lag over time\">\n" + back + body_ +
+           "\" role=\"img\" aria-label=\"Events, knot, grasps, tension, speed and how far tools are behind their hands over time\">\n" + back + body_ +
            front + "</svg>\n";
 }
 
@@ -218,7 +218,7 @@ std::string timeline_svg(const Result& result, const std::vector<double>& moment
             [i](const Sample& s) { return std::string(i < s.held.size() && s.held[i] ? "thread held" : ""); }, "held");
     sheet.add_chart("tension [N]", tension, largest(result, tension), 2);
     for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " speed [mm/s]", speed(i), fastest, 0);
-    for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " lag [mm]", lag(i), farthest, 2);
+    for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " behind its hand [mm]", lag(i), farthest, 2);
     return sheet.finish(moments);
 }
 

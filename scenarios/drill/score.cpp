@@ -82,6 +82,14 @@ std::string fixed(double value, int digits) {
     return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr};
 }
 
+// With as many digits as show that it is outside.
+std::string told_apart(double value, int digits, const Band& band) {
+    constexpr int most = 15;
+    std::string text = fixed(value, digits);
+    while (digits < most && band.holds(std::stod(text))) text = fixed(value, ++digits);
+    return text;
+}
+
 std::string in_words(const Band& band) {
     if (band.low > 0 && std::isinf(band.high)) return "at least " + shown(band.low);
     if (band.low > 0) return shown(band.low) + " to " + shown(band.high);
@@ -102,6 +110,7 @@ ScoreItem judged(const Reading& reading, const std::optional<Band>& band) {
     if (!band) return item;
     item.band = in_words(*band);
     item.passed = band->holds(reading.value);
+    if (!item.passed) item.value = told_apart(reading.value, reading.digits, *band);
     if (!item.passed) item.why = reading.value > band->high ? reading.too_much : reading.too_little;
     return item;
 }

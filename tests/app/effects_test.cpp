@@ -76,12 +76,21 @@ TEST(Effects, IsMissedWhereTheThreadNeedsIt) {
     EXPECT_TRUE(effect("inertia", limp).is_missed());
     EXPECT_FALSE(effect("extension", limp).is_missed());
     EXPECT_FALSE(effect("gravity", sample::with("150", "20, \"links\": 50")).is_missed());
-    // Links of half a millimetre are shorter than a corner of polypropylene is round at 20 mN, links of 1.5 mm are not.
+    // Links of half a millimetre are shorter than a corner of polypropylene is round at 20 mN, links of 1.5 mm are not unless they may be halved.
     EXPECT_TRUE(effect("bending", sample::drill).is_missed());
-    EXPECT_FALSE(effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100")).is_missed());
+    EXPECT_TRUE(effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100")).is_missed());
+    EXPECT_FALSE(effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100, \"shortest_link_mm\": 0")).is_missed());
     // Tied by an elastic thread a knot springs open unless it is set; what ftl ties does not spring.
     EXPECT_FALSE(effect("plastic_set", sample::drill).is_missed());
     EXPECT_TRUE(effect("plastic_set", sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"")).is_missed());
+}
+
+// Told of another wall than the drill's, an author would think it far too strong.
+TEST(Effects, AWallIsTheDrillsOwn) {
+    const std::string thin = sample::with("\"wall_mm\": 0.6", "\"wall_mm\": 0.2");
+    EXPECT_NEAR(effect("tissue", thin).value, 3 * effect("tissue", sample::drill).value, 1e-9);
+    EXPECT_NEAR(effect("tear", thin).value, 3 * effect("tear", sample::drill).value, 1e-9);
+    EXPECT_NE(effect("tear", thin).error.find("a 0.2 mm wall should tear at about 0.68 N"), std::string::npos) << effect("tear", thin).error;
 }
 
 // A warning is for the author's eyes: the drill stays valid, and what is printed for machines says the same.

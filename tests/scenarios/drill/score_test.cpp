@@ -52,6 +52,15 @@ TEST(Score, GoodTiePasses) {
     EXPECT_EQ(item("path_right", good()).band, "");
 }
 
+// "1.00, at most 1" would be a riddle.
+TEST(Score, WhatIsJustOutsideIsShownToBe) {
+    world::Measures m = good();
+    m.tension_max_N = {1.0004, 21};
+    EXPECT_EQ(item("tension", m).value, "1.0004");
+    m.tension_max_N = {1.0, 21};
+    EXPECT_EQ(item("tension", m).value, "1.00");
+}
+
 // A thread that broke was pulled through well enough: told that it was not, a resident would pull harder.
 TEST(Score, ABrokenThreadIsToldInsteadOfAThrowThatWasNotPulledThrough) {
     world::Measures m = good();
