@@ -75,31 +75,52 @@ static void add_changes(State& state) {
 // How far a tool or a wall may be in a link; the rest is for turns.
 static double deepest(const State& state) { return 0.8 * steel_limit * 2 * state.def.radius; }
 
-// What of a motion may be made that leads `into` what a contact is with, from where it is by `depth`.
-static double share_into(const State& state, double depth, double into) {
-    const double room = std::max(0.0, deepest(state) - depth);
-    return into > room ? room / into : 1;
-}
+static double depth_of(const Row& row) { return row.thickness - row.distance; }
+static double room_in(const State& state, const Row& row) { return std::max(0.0, deepest(state) - depth_of(row)); }
 
 // A tool presses on a link, which while it hardly is in it answers within the step.
 static double share_of_tool(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const Vec3 way = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
-    const double depth = row.thickness - row.distance;
-    return share_into(state, depth < 0.6 * deepest(state) ? 0 : depth, way.dot(row.normal));
+    const double into = way.dot(row.normal), room = depth_of(row) < 0.6 * deepest(state) ? deepest(state) : room_in(state, row);
+    return into > room ? room / into : 1;
 }
 
-// Neither a held node nor a wall gives way.
+// A row or contact, with a wall, of a link that ends in this node.
+template <class Near>
+static bool is_at_wall(const Near& near, int node) { return near.against == Against::surface && (near.link == node || near.link + 1 == node); }
+
+static double share_of_node(const Row& row, int node) { return row.link == node ? 1 - row.s : row.s; }
+
+static bool is_in_jaws(const State& state, std::size_t hold) {
+    return std::any_of(state.input.capsules.begin(), state.input.capsules.end(), [&](const MovingCapsule& c) { return c.owner == state.input.hold_owners[hold]; });
+}
+
+// Neither a held node nor a wall gives way: what of its motion it may make before it touches one, and in jaws, of which it must not come out, when it does.
 static double share_at_walls(const State& state, std::size_t hold) {
     const int node = state.input.holds[hold].node;
     const Vec3 way = state.input.holds[hold].target - state.hold_from[hold];
-    const auto is_of = [&](const auto& near) { return near.against == Against::surface && (near.link == node || near.link + 1 == node); };
     double share = 1;
     for (const Contact& c : state.contacts)
-        if (is_of(c)) share = std::min(share, std::max(state.def.radius, c.measured - 2 * (state.moved - c.measured_at) - c.thickness) / way.norm());
-    for (const Row& row : state.rows)
-        if (is_of(row)) share = std::min(share, share_into(state, row.thickness - row.distance, -(row.link == node ? 1 - row.s : row.s) * way.dot(row.normal)));
+        if (is_at_wall(c, node)) share = std::min(share, std::max(state.def.radius, c.measured - 2 * (state.moved - c.measured_at) - c.thickness) / way.norm());
+    if (!is_in_jaws(state, hold)) return share;
+    for (const Row& row : state.rows) {
+        const double into = -share_of_node(row, node) * way.dot(row.normal), room = room_in(state, row);
+        if (is_at_wall(row, node) && into > room) share = std::min(share, room / into);
+    }
     return share;
+}
+
+// What no jaws hold slides along walls. A link that touches nearer to its other end turns.
+static void slide(const State& state, std::size_t hold, Vec3& target) {
+    constexpr int sweeps = 4;  // a corner between two
+    const int node = state.input.holds[hold].node;
+    if (is_in_jaws(state, hold)) return;
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (const Row& row : state.rows) {
+            const double into = (state.nodes[at(node)] - target).dot(row.normal), room = room_in(state, row);
+            if (is_at_wall(row, node) && share_of_node(row, node) >= 0.5 && into > room) target += (into - room) * row.normal;
+        }
 }
 
 // Whether the tool holds an end of the link.
@@ -165,9 +186,11 @@ static void answer(State& state, double left, double tools, const Motion& motion
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
-    for (Hold& hold : state.targets) {
+    for (std::size_t h = 0; h < state.targets.size(); ++h) {
+        Hold& hold = state.targets[h];
         const Vec3& from = hold.slides ? hold.start : state.nodes[at(hold.node)];
         hold.target = from + (hold.slides ? 1 - left * (1 - tools) : tools) * (hold.target - from);
+        slide(state, h, hold.target);
     }
     rod.find_free_step(state.targets, state.pairs, state.rolling);
     report.sweeps += solve_presses(state);
