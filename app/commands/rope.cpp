@@ -74,7 +74,7 @@ TriangleTree read_obstacle(const std::string& file) try {
 }
 
 // The motion names nodes of the curve as it was given; after resampling it holds those at the same place along it.
-void resample(rope::Experiment& experiment, int links, const std::string& motion_file) {
+void resample(rope::Experiment& experiment, int links, const RopeOptions& options) {
     const std::vector<Vec3>& given = experiment.nodes;
     std::vector<double> passed{0};
     for (std::size_t i = 0; i + 1 < given.size(); ++i)
@@ -84,11 +84,15 @@ void resample(rope::Experiment& experiment, int links, const std::string& motion
         const int given_node = held.node;
         held.node = static_cast<int>(std::lround(passed[static_cast<std::size_t>(given_node)] / passed.back() * links));
         if (held.node == previous)
-            fail(motion_file, "node " + std::to_string(given_node) + " and the one before fall together with --links " +
+            fail(options.motion, "node " + std::to_string(given_node) + " and the one before fall together with --links " +
                                   std::to_string(links) + ", expected more links");
         previous = held.node;
     }
-    experiment.nodes = sim::geometry::resample(given, links);
+    std::vector<Vec3> nodes = sim::geometry::resample(given, links);
+    const sim::knot::Name as_given = sim::knot::name_knot(given), as_laid = sim::knot::name_knot(nodes);
+    if (as_given.certain && as_laid.certain && as_given.knot != as_laid.knot)
+        fail(options.curve, "--links: the curve is knotted as " + as_given.knot + ", of " + std::to_string(links) + " links as " + as_laid.knot + ", expected more links");
+    experiment.nodes = std::move(nodes);
 }
 
 // Of an ftl thread the neighbours of one link of a thirtieth of the radius, far longer than it, have passed each other: they are too near along the thread to
@@ -120,7 +124,7 @@ rope::Experiment read(const RopeOptions& options) {
     }
     experiment.nodes = read_curve(options.curve);
     experiment.motion = rope::load_motion(options.motion, static_cast<int>(experiment.nodes.size()));
-    if (options.links) resample(experiment, static_cast<int>(*options.links), options.motion);
+    if (options.links) resample(experiment, static_cast<int>(*options.links), options);
     if (!experiment.thread.elastic) check_links(options, experiment.nodes);
     if (experiment.thread.elastic && experiment.nodes.size() < 3)
         fail(options.links ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");

@@ -1,6 +1,8 @@
 #include "scenarios/drill/start_path.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "scenarios/drill/shape.hpp"
 #include "sim/geometry/closest_points.hpp"
@@ -30,7 +32,7 @@ std::optional<StartProblem> cut(world::ThreadDef& thread) {
         along += step.norm();
     }
     if (along < (1 - rounding) * thread.length)
-        return StartProblem{-1, "the path is " + shown(along * 1000) +
+        return StartProblem{-1, "the path is " + shown(1e-6 * std::round(along * 1e9)) +
                                     " mm long, expected at least length_mm, which is " + shown(thread.length * 1000) +
                                     " mm"};
     thread.length = along;
@@ -41,27 +43,29 @@ double gap(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
     return std::sqrt(closest_points(a0, a1, b0, b1).distance_squared);
 }
 
-// A piece of a path, and the tube that it lies in.
-struct InTube {
-    int piece;
-    const world::VesselDef* vessel;
+// Half along its axis, and how far from that a thread's middle line is clear of it.
+struct Core {
+    Vec3 from, to;
+    double clear;
 };
 
-std::optional<InTube> in_tube(const world::WorldDef& world, std::span<const Vec3> path) {
-    for (const world::VesselDef& vessel : world.vessels) {
-        if (!vessel.mesh_file.empty()) continue;
-        const Vec3 half = vessel.length / 2 * vessel.axis;
-        const double clear = (vessel.diameter + world.thread.diameter) / 2;
-        for (std::size_t i = 0; i + 1 < path.size(); ++i)
-            if (gap(path[i], path[i + 1], vessel.centre - half, vessel.centre + half) < clear) return InTube{static_cast<int>(i), &vessel};
-    }
-    return {};
+Core core_of(const world::VesselDef& vessel, const world::ThreadDef& thread) {
+    const Vec3 half = vessel.length / 2 * vessel.axis;
+    return {vessel.centre - half, vessel.centre + half, (vessel.diameter + thread.diameter) / 2};
 }
 
 std::optional<StartProblem> clear_of_tubes(const world::WorldDef& world) {
-    const auto in = in_tube(world, world.thread.start);
-    if (!in) return {};
-    return StartProblem{in->piece, "from here to the next corner the thread is inside the vessel \"" + in->vessel->name + "\", expected to start clear of it"};
+    const auto& path = world.thread.start;
+    for (const world::VesselDef& vessel : world.vessels) {
+        if (!vessel.mesh_file.empty()) continue;
+        const Core core = core_of(vessel, world.thread);
+        for (std::size_t i = 0; i + 1 < path.size(); ++i)
+            if (gap(path[i], path[i + 1], core.from, core.to) < core.clear)
+                return StartProblem{static_cast<int>(i),
+                                    "from here to the next corner the thread is inside the vessel \"" + vessel.name +
+                                        "\", expected to start clear of it"};
+    }
+    return {};
 }
 
 // Pieces as long as a bend needs that leave a corner side by side: what is as far from it on one is within a diameter on the other.
@@ -89,19 +93,42 @@ std::optional<StartProblem> clear_of_itself(const world::ThreadDef& thread) {
     return {};
 }
 
-// Few links cut corners.
-std::optional<StartProblem> links_clear(const world::WorldDef& world) {
+// What a link that goes straight leaves out of the path, in triangles.
+std::vector<sim::geometry::Triangle> cut_corners(std::span<const Vec3> between, const Vec3& from, const Vec3& to) {
+    std::vector<sim::geometry::Triangle> all;
+    for (std::size_t i = 0; i < between.size(); ++i) all.push_back({from, between[i], i + 1 < between.size() ? between[i + 1] : to});
+    return all;
+}
+
+// Laid link by link from the first, the thread must come through nothing where a link cuts corners: what it goes round it would no more go round.
+std::optional<StartProblem> links_go_as_the_path(const world::WorldDef& world) {
     const world::ThreadDef& thread = world.thread;
     const std::vector<Vec3> nodes = sim::geometry::resample(thread.start, thread.links);
-    const double link = thread.length / thread.links;
-    const std::string few = "of " + std::to_string(thread.links) + " links number ";
-    if (const auto in = in_tube(world, nodes))
-        return StartProblem{-1, few + std::to_string(in->piece) + " is inside the vessel \"" + in->vessel->name + "\", expected more links, or a start farther from it"};
-    const auto apart = std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(3 * thread.diameter / link)));
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-        for (std::size_t j = i + apart; j + 1 < nodes.size(); ++j)
-            if (gap(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]) < thread.diameter / 2)
-                return StartProblem{-1, few + std::to_string(i) + " lies in number " + std::to_string(j) + ", expected more links, or a wider bend"};
+    std::vector<double> along{0};
+    for (std::size_t i = 1; i < thread.start.size(); ++i) along.push_back(along.back() + (thread.start[i] - thread.start[i - 1]).norm());
+    const auto corner_after = [&](std::size_t node) {
+        const double here = along.back() * static_cast<double>(node) / thread.links;
+        return static_cast<std::size_t>(std::upper_bound(along.begin(), along.end() - 1, here) - along.begin());
+    };
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+        const std::size_t first = corner_after(k), last = corner_after(k + 1);
+        const auto cut = cut_corners(std::span(thread.start).subspan(first, last - first), nodes[k], nodes[k + 1]);
+        const auto goes_through = [&](const Vec3& a, const Vec3& b, double clear) {
+            return std::any_of(cut.begin(), cut.end(), [&](const auto& triangle) { return closest_points(a, b, triangle).distance_squared < clear * clear; });
+        };
+        const auto cuts = [&](const std::string& what) {
+            return StartProblem{-1, "of " + std::to_string(thread.links) + " links number " + std::to_string(k) + " cuts a corner through " + what + ", expected more links, or a wider bend"};
+        };
+        for (const world::VesselDef& vessel : world.vessels)
+            if (const Core core = core_of(vessel, thread); vessel.mesh_file.empty() && goes_through(core.from, core.to, core.clear)) return cuts("the vessel \"" + vessel.name + "\"");
+        if (cut.empty()) continue;
+        const double one_bend = 3 * thread.diameter, link = along.back() / thread.links;
+        for (std::size_t i = 0; static_cast<double>(i + 1) * link + one_bend < static_cast<double>(k) * link; ++i)
+            if (goes_through(nodes[i], nodes[i + 1], thread.diameter / 2)) return cuts("link " + std::to_string(i));
+        for (std::size_t i = last; i + 1 < thread.start.size(); ++i)
+            if (along[i] > static_cast<double>(k + 1) * link + one_bend && goes_through(thread.start[i], thread.start[i + 1], thread.diameter / 2))
+                return cuts("what comes behind corner " + std::to_string(i));
+    }
     return {};
 }
 
@@ -111,7 +138,7 @@ std::optional<StartProblem> cut_and_check_start(world::WorldDef& world) {
     if (auto problem = cut(world.thread)) return problem;
     if (auto problem = clear_of_tubes(world)) return problem;
     if (auto problem = clear_of_itself(world.thread)) return problem;
-    return links_clear(world);
+    return links_go_as_the_path(world);
 }
 
 std::vector<Vec3> start_behind(const world::WorldDef& world) {

@@ -16,6 +16,9 @@ using program::junk;
 program::Ending run(const std::vector<std::string>& call) { return program::run(call, std::chrono::seconds(10)); }
 
 const std::string curve = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
+const std::string overhand =
+    "7.03 5.62 0.43\n2.29 1.83 0.43\n1.48 2.06 0.93\n0.50 1.81 0.93\n-0.43 1.10 0.43\n-1.08 0.05 -0.30\n-1.33 -1.11 -0.87\n-1.13 -2.15 -0.97\n-0.58 -2.82 -0.56\n0.15 -2.99 0.15\n0.83 -2.61 0.78\n1.26 -1.77 1.00\n1.28 -0.65 0.68\n"
+    "0.87 0.50 0.00\n0.08 1.44 -0.68\n-0.90 1.97 -1.00\n-1.84 2.02 -0.78\n-2.51 1.62 -0.15\n-2.73 0.91 0.56\n-2.43 0.10 0.97\n-1.63 -0.59 0.87\n-0.50 -0.97 0.30\n0.74 -0.92 -0.43\n1.82 -0.48 -0.93\n2.53 0.25 -0.93\n2.73 1.07 -0.43\n8.38 3.28 -0.43\n";
 const std::string header = "t_s,node,x_mm,y_mm,z_mm\n";
 const std::string motion = header + "0,first,0,0,0\n0.01,first,-1,0,0\n";
 
@@ -107,6 +110,7 @@ std::vector<Case> rope_cases() {
     with_options("weight of a thread that has none", "--gravity", {"--gravity"});
     with_options("positions into a folder that is not there", "nowhere", {"--out", "@nowhere/x.jsonl"});
     with_options("an obstacle of another kind", "m.csv", {"--obstacle", "@m.csv"});
+    cases.push_back({"rope: so few links that the knot is gone", {"rope", "@c.csv", "--motion", "@m.csv", "--links", "8"}, "c.csv", {{"c.csv", overhand}, {"m.csv", motion}}});
     cases.push_back({"rope: a start through the obstacle", {"rope", "@c.csv", "--motion", "@m.csv", "--obstacle", "@o.obj"}, "c.csv",
                      {{"c.csv", curve}, {"m.csv", motion}, {"o.obj", "v 1.5 -1 -1\nv 1.5 1 -1\nv 1.5 0 2\nf 1 2 3\n"}}});
     return cases;

@@ -173,10 +173,10 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\": 0.2", "\"start_mm\": [[0, 0, 9], [0, 100, 9], [1, 20, 9]]"),
          "a.json:7:29: error: /thread/start_mm/1: the thread folds back onto itself here, expected a bend with room for it"},
         {with("\"friction\": 0.2", "\"links\": 4, \"start_mm\": [[0, -65, 0], [20, 0, 0], [0, 65, 0], [0, 80, 0]]"),
-         "a.json:7:29: error: /thread/start_mm: of 4 links number 1 is inside the vessel \"carotid\", expected more links, or a start farther from it"},
+         "a.json:7:29: error: /thread/start_mm: of 4 links number 1 cuts a corner through the vessel \"carotid\", expected more links, or a wider bend"},
         {with("\"friction\": 0.2", "\"links\": 4, \"start_mm\": [[0, 0, 9], [40, 0, 9], [40, 30, 9], [20, 30, 9], [20, 2, 9], [20, 2, 10], [20, -2, 10], "
                                   "[20, -2, 9], [20, -40, 9]]"),
-         "a.json:7:29: error: /thread/start_mm: of 4 links number 0 lies in number 3, expected more links, or a wider bend"},
+         "a.json:7:29: error: /thread/start_mm: of 4 links number 3 cuts a corner through link 0, expected more links, or a wider bend"},
         {with("\"carrel_drill\": 1", "\"carrel_drill\": 2"), "a.json:2:19: error: /carrel_drill: expected 1, found 2"},
         {with("  \"time_limit_s\": 120\n", "  \"time_limit_s\": 120,\n"),
          "a.json:20:1: error: not valid JSON: unexpected '}'; expected string literal"},
