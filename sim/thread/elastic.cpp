@@ -111,16 +111,27 @@ static double share_at_walls(const State& state, std::size_t hold) {
     return share;
 }
 
-// What no jaws hold slides along walls. A link that touches nearer to its other end turns.
-static void slide(const State& state, std::size_t hold, Vec3& target) {
-    constexpr int sweeps = 4;  // a corner between two
+// Whether a row is of what is held, and with what leads it aside: a tool that does not hold it, or, if no jaws do, a wall.
+static bool leads_aside(const State& state, const Row& row, std::size_t hold) {
     const int node = state.input.holds[hold].node;
-    if (is_in_jaws(state, hold)) return;
+    if ((row.link != node && row.link + 1 != node) || share_of_node(row, node) < 0.5) return false;  // one that touches nearer to its other end turns
+    if (row.against == Against::capsule) return state.input.capsules[at(row.other)].owner != state.input.hold_owners[hold];
+    return row.against == Against::surface && !is_in_jaws(state, hold);
+}
+
+// What of its way would lead it too far into that is left out, for all that the same tool holds: it slides.
+static void slide(State& state) {
+    constexpr int sweeps = 4;  // a corner between two
+    const auto& owners = state.input.hold_owners;
     for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (const Row& row : state.rows) {
-            const double into = (state.nodes[at(node)] - target).dot(row.normal), room = room_in(state, row);
-            if (is_at_wall(row, node) && share_of_node(row, node) >= 0.5 && into > room) target += (into - room) * row.normal;
-        }
+        for (const Row& row : state.rows)
+            for (std::size_t h = 0; row.against != Against::thread && h < state.targets.size(); ++h) {
+                if (!leads_aside(state, row, h)) continue;
+                const Hold& hold = state.targets[h];
+                const double into = (state.nodes[at(hold.node)] - hold.target).dot(row.normal), room = room_in(state, row);
+                for (std::size_t k = 0; into > room && k < owners.size(); ++k)
+                    if (owners[k] == owners[h]) state.targets[k].target += (into - room) * row.normal;
+            }
 }
 
 // Whether the tool holds an end of the link.
@@ -186,12 +197,11 @@ static void answer(State& state, double left, double tools, const Motion& motion
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
-    for (std::size_t h = 0; h < state.targets.size(); ++h) {
-        Hold& hold = state.targets[h];
+    for (Hold& hold : state.targets) {
         const Vec3& from = hold.slides ? hold.start : state.nodes[at(hold.node)];
         hold.target = from + (hold.slides ? 1 - left * (1 - tools) : tools) * (hold.target - from);
-        slide(state, h, hold.target);
     }
+    slide(state);
     rod.find_free_step(state.targets, state.pairs, state.rolling);
     report.sweeps += solve_presses(state);
     add_changes(state);
