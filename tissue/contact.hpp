@@ -74,6 +74,7 @@ class WallContact {
     std::vector<bool> is_bent_;                  // nodes that have gone from their rest
     std::vector<std::array<int, 2>> sorted_;     // cells and nodes in them,
     std::vector<std::array<int, 2>> bent_sorted_;  // and those of the bent ones
+    Box about_, about_bent_;                     // boxes of both
     std::vector<Behind> behind_;
 };
 

@@ -66,11 +66,13 @@ Vec3 Skin::position(int face, const Corner& corner) const {
 void Skin::set_box(std::size_t i) {
     const Triangle& t = triangles_[i];
     boxes_[i] = {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+    all_.include(boxes_[i]);
 }
 
 void Skin::update(std::span<const Vec3> nodes) {
     nodes_.assign(nodes.begin(), nodes.end());
     for (Hole& hole : holes_) place(hole);
+    all_ = {};
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         triangles_[i] = {position(face_[i], corners_[i][0]), position(face_[i], corners_[i][1]), position(face_[i], corners_[i][2])};
         set_box(i);
@@ -98,6 +100,7 @@ Skin::Spot Skin::hit(const Vec3& from, const Vec3& to, Facing facing) const {
     Spot best;
     Box reach;
     reach.include(from), reach.include(to);
+    if (!all_.overlaps(reach)) return best;
     const Vec3 way = to - from;
     for (int i = 0; i < size(); ++i) {
         if (!box(i).overlaps(reach)) continue;
@@ -118,6 +121,7 @@ Skin::Spot Skin::closest(const Vec3& a, const Vec3& b, double reach, const Vec3&
     best.distance = reach;
     Box around;
     around.include(a), around.include(b);
+    if (!all_.overlaps(around.grown(reach))) return best;
     const bool any = facing.isZero(0);
     for (int i = 0; i < size(); ++i) {
         if (!box(i).overlaps(around.grown(best.distance))) continue;
@@ -147,6 +151,7 @@ int Skin::hole_about(int triangle, const Vec3& weights) const {
 }
 
 void Skin::near(const Box& where, std::vector<int>& found) const {
+    if (!all_.overlaps(where)) return;
     for (int i = 0; i < size(); ++i)
         if (box(i).overlaps(where)) found.push_back(i);
 }

@@ -119,6 +119,7 @@ class Skin {
     std::vector<Vec3> rest_, nodes_, pierced_at_;
     std::vector<Triangle> triangles_;
     std::vector<Box> boxes_;
+    Box all_;                                            // about all of them, or more
     std::vector<int> face_;
     std::vector<Part> parts_;
     std::vector<std::array<Corner, 3>> corners_;

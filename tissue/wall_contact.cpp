@@ -43,6 +43,12 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
         sorted_.push_back({number(x, y, z), static_cast<int>(i)});
     }
     std::sort(sorted_.begin(), sorted_.end());
+    about_ = about_bent_ = {};
+    for (const auto& [cell, node] : sorted_) {
+        const Vec3& at = skin.nodes()[static_cast<std::size_t>(node)];
+        about_.include(at);
+        if (is_bent_[static_cast<std::size_t>(node)]) about_bent_.include(at);
+    }
     for (const auto& of_cell : sorted_)
         if (is_bent_[static_cast<std::size_t>(of_cell[1])]) bent_sorted_.push_back(of_cell);
     behind_.assign(face_.size(), {-1, 0});
@@ -73,7 +79,7 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
         const auto& corners = rest.faces[static_cast<std::size_t>(triangles_of.face(t))].nodes;
         const bool all = !same || std::any_of(corners.begin(), corners.end(), [&](int i) { return is_bent_[static_cast<std::size_t>(i)]; });
         const auto& nodes = all ? sorted_ : bent_sorted_;
-        if (nodes.empty()) continue;
+        if (!triangles_of.box(t).grown(0.5 * thickness_).overlaps(all ? about_ : about_bent_)) continue;
         const Vec3 up = triangles_of.normal(t), down = -0.5 * thickness_ * up;
         Box around = triangles_of.box(t);   // and what is behind it
         around.low += down.cwiseMin(0), around.high += down.cwiseMax(0);

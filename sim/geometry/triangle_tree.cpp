@@ -10,11 +10,7 @@ namespace sim::geometry {
 
 constexpr int leaf_size = 4;  // Triangles tested one by one rather than split further.
 
-static Box box_of(const Triangle& t) {
-    Box box;
-    for (const Vec3* p : {&t.a, &t.b, &t.c}) box.include(*p);
-    return box;
-}
+static Box box_of(const Triangle& t) { return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)}; }
 
 // Median split on the longest axis of the centres' box. Equal keys fall back on the index: one tree per input.
 TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
@@ -53,7 +49,9 @@ TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::mo
 
 void TriangleTree::move(std::span<const Triangle> triangles) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = triangles_[i] = triangles[i];
+        const Triangle& t = triangles[i];
+        if (t.a == triangles_[i].a && t.b == triangles_[i].b && t.c == triangles_[i].c) continue;
+        triangles_[i] = t;
         boxes_[i] = box_of(t);
         normals_[i] = (t.b - t.a).cross(t.c - t.a).normalized();
     }
