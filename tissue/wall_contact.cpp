@@ -44,13 +44,13 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
     }
     std::sort(sorted_.begin(), sorted_.end());
     about_ = about_bent_ = {};
-    for (const auto& [cell, node] : sorted_) {
-        const Vec3& at = skin.nodes()[static_cast<std::size_t>(node)];
-        about_.include(at);
-        if (is_bent_[static_cast<std::size_t>(node)]) about_bent_.include(at);
+    for (const auto& of_cell : sorted_) {
+        const auto node = static_cast<std::size_t>(of_cell[1]);
+        about_.include(skin.nodes()[node]);
+        if (!is_bent_[node]) continue;
+        about_bent_.include(skin.nodes()[node]);
+        bent_sorted_.push_back(of_cell);
     }
-    for (const auto& of_cell : sorted_)
-        if (is_bent_[static_cast<std::size_t>(of_cell[1])]) bent_sorted_.push_back(of_cell);
     behind_.assign(face_.size(), {-1, 0});
 }
 

@@ -136,12 +136,6 @@ Effect plastic_set(const Rod& rod) {
             1};
 }
 
-const scenarios::world::VesselDef* soft_vessel(const Drill& drill) {
-    const auto& vessels = drill.world.vessels;
-    const auto soft = std::find_if(vessels.begin(), vessels.end(), [](const auto& vessel) { return vessel.is_soft; });
-    return soft == vessels.end() ? nullptr : &*soft;
-}
-
 // The one that matters most: the thinnest of those that give way, or else of all.
 const scenarios::world::VesselDef* weakest_vessel(const Drill& drill) {
     const scenarios::world::VesselDef* weakest = nullptr;
@@ -152,6 +146,19 @@ const scenarios::world::VesselDef* weakest_vessel(const Drill& drill) {
     }
     return weakest;
 }
+
+bool gives_way(const Drill& drill) {
+    const auto* vessel = weakest_vessel(drill);
+    return vessel && vessel->is_soft;
+}
+
+double wall_of(const Drill& drill) {
+    constexpr double usual = 0.4e-3;  // of the pull above
+    const auto* vessel = weakest_vessel(drill);
+    return vessel ? vessel->wall : usual;
+}
+
+double retention_N(const Drill& drill) { return retention_per_m * wall_of(drill); }
 
 // Local strain of a wall pulled over 1 mm of width: F / (E t w).
 Effect tissue(const Drill& drill) {
@@ -168,20 +175,14 @@ Effect tissue(const Drill& drill) {
             on ? "0.3 ms, a step of one vessel a tick" : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
-double retention_N(const Drill& drill) {
-    const auto* vessel = weakest_vessel(drill);
-    return retention_per_m * (vessel ? vessel->wall : 0.4e-3);
-}
-
 Effect tear(const Drill& drill, const Rod& rod) {
-    const bool on = soft_vessel(drill) != nullptr;
-    const auto* vessel = weakest_vessel(drill);
+    const bool on = gives_way(drill);
     const double retention = retention_N(drill);
     return {"tear",
             on,
             "breaking load / retention",
             rod.break_force / retention,
-            text("a %.1f mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", vessel ? 1e3 * vessel->wall : 0.4, retention,
+            text("a %.1f mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", 1e3 * wall_of(drill), retention,
                  rod.break_force > retention ? "before this thread breaks" : "after this thread breaks",
                  on ? "each bite does by its own size" : "it never does"),
             on ? "a threshold per puncture" : "would cost a threshold per puncture"};
@@ -191,7 +192,7 @@ Effect leak(const Drill& drill) {
     double load = 0;
     for (const auto& vessel : drill.world.vessels)
         if (vessel.mesh_file.empty()) load = std::max(load, pressure_Pa * vessel.diameter / 4 * 1e-3);
-    const bool on = soft_vessel(drill) != nullptr;
+    const bool on = gives_way(drill);
     return {"leak",
             on,
             "p R / 2 * 1 mm / retention",

@@ -113,6 +113,7 @@ std::optional<StartProblem> links_go_as_the_path(const world::WorldDef& world) {
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
         const std::size_t first = corner_after(k), last = corner_after(k + 1);
         const auto cut = cut_corners(std::span(thread.start).subspan(first, last - first), nodes[k], nodes[k + 1]);
+        if (cut.empty()) continue;
         const auto goes_through = [&](const Vec3& a, const Vec3& b, double clear) {
             return std::any_of(cut.begin(), cut.end(), [&](const auto& triangle) { return closest_points(a, b, triangle).distance_squared < clear * clear; });
         };
@@ -121,7 +122,6 @@ std::optional<StartProblem> links_go_as_the_path(const world::WorldDef& world) {
         };
         for (const world::VesselDef& vessel : world.vessels)
             if (const Core core = core_of(vessel, thread); vessel.mesh_file.empty() && goes_through(core.from, core.to, core.clear)) return cuts("the vessel \"" + vessel.name + "\"");
-        if (cut.empty()) continue;
         const double one_bend = 3 * thread.diameter, link = along.back() / thread.links;
         for (std::size_t i = 0; static_cast<double>(i + 1) * link + one_bend < static_cast<double>(k) * link; ++i)
             if (goes_through(nodes[i], nodes[i + 1], thread.diameter / 2)) return cuts("link " + std::to_string(i));
