@@ -80,9 +80,10 @@ void WallWatch::look(const World& world, Frame& frame) {
         frame.smallest_tetrahedron = std::min(frame.smallest_tetrahedron, smallest_share(vessels[v], volumes_[v]));
         frame.off_rest.push_back(off_rest(vessels[v]));
     }
-    if (world.has_needle()) {
-        frame.needle_tip = world.needle().tip();
-        frame.off_needle = (world.thread().front() - world.needle().tail()).norm();
+    if (!world.needles().empty()) {
+        const auto& needle = world.needle_in_use();
+        frame.needle_tip = needle.now.tip();
+        frame.off_needle = (world.thread()[static_cast<std::size_t>(needle.node)] - needle.now.tail()).norm();
     }
     constexpr int every = 10;
     if (looks_++ % every != every - 1) return;

@@ -230,9 +230,23 @@ Effect inertia(const Rod& rod) {
             0.1};
 }
 
+// What is let go of goes v t (1 - exp(-s / t)) in s seconds, and without air v s.
+Effect air(const scenarios::world::ThreadDef& def) {
+    constexpr double speed_mm_s = 20;
+    const double halts = scenarios::world::halting_time(def), goes = speed_mm_s * halts * (1 - std::exp(-1 / halts));
+    return {"air",
+            false,
+            "1 s / halting time",
+            1 / halts,
+            text("what of the thread is loose should be halted in %.3f s; let go of at %.0f mm/s it should go %.1f mm, and flies on", halts, speed_mm_s, goes),
+            "would cost \"air\" in the effects of an elastic thread, one product per node",
+            "way too far in a second of what is let go of at 20 mm/s, in mm",
+            speed_mm_s - goes};
+}
+
 bool is_on(const scenarios::world::ThreadDef& elastic, const std::string& effect) {
     return effect == "bending" || (effect == "gravity" && elastic.weighs) || (effect == "extension" && elastic.stretches) ||
-           (effect == "plastic_set" && elastic.yield_strain > 0) || (effect == "inertia" && elastic.swings);
+           (effect == "plastic_set" && elastic.yield_strain > 0) || (effect == "inertia" && elastic.swings) || (effect == "air" && elastic.is_in_air);
 }
 
 }  // namespace
@@ -248,7 +262,8 @@ std::vector<Effect> effects_of(const Drill& drill) {
             tissue(drill),
             tear(drill, rod),
             leak(drill),
-            inertia(rod)};
+            inertia(rod),
+            air(drill.world.thread)};
     const auto& thread = drill.world.thread;
     const bool elastic = thread.model == "elastic";
     for (Effect& effect : all) {

@@ -97,10 +97,9 @@ Scene scene_of(const Picture& picture) {
         for (const assets::Mesh& part : tool(one)) scene.add(part, steel);
     for (const std::vector<Vec3>& piece : picture.thread) scene.add(tube(piece, radius_at), suture);
     for (const std::vector<Vec3>& wire : picture.wires) scene.add(tube(wire, [&](const Vec3&) { return picture.wire_radius; }), steel);
-    if (picture.needle.empty()) return scene;
     // A taper point: ten times as long as its wire is thick.
-    const auto tapered = [&](const Vec3& p) { return std::min(picture.needle_radius, 0.02 * picture.needle_radius + (p - picture.needle.back()).norm() / 20); };
-    scene.add(tube(picture.needle, tapered), steel);
+    for (const std::vector<Vec3>& needle : picture.needles)
+        scene.add(tube(needle, [&](const Vec3& p) { return std::min(picture.needle_radius, 0.02 * picture.needle_radius + (p - needle.back()).norm() / 20); }), steel);
     return scene;
 }
 

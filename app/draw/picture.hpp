@@ -36,8 +36,8 @@ struct ToolPicture {
 struct Picture {
     std::vector<std::vector<Vec3>> thread;  ///< Its pieces: nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
     double thread_radius = 50e-6;  ///< [m] Drawn true, yet nowhere under 1.6 pixels, or a fine thread would vanish.
-    std::vector<Vec3> needle;      ///< From its tail to its tip [m]; none: empty.
-    double needle_radius = 0;      ///< Of its wire [m].
+    std::vector<std::vector<Vec3>> needles;  ///< From tail to tip [m].
+    double needle_radius = 0;      ///< Of their wire [m].
     std::vector<std::vector<Vec3>> wires;  ///< Of clamps, as the thread's pieces.
     double wire_radius = 0.2e-3;   ///< [m]
     std::vector<ToolPicture> tools;

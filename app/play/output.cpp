@@ -24,7 +24,7 @@ draw::Picture scene_picture(const Session& session, const Snapshot& snapshot) {
     for (std::size_t i = 0; i < snapshot.tools.size(); ++i)
         picture.tools.push_back({session.drill().world.instruments[i].kind, snapshot.tools[i].pose, snapshot.tools[i].jaw});
     picture.vessels = snapshot.vessels;
-    picture.needle = snapshot.needle;
+    picture.needles = snapshot.needles;
     picture.wires = snapshot.clamps;
     picture.needle_radius = session.drill().world.needle.wire;
     return picture;

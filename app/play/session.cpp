@@ -73,7 +73,10 @@ Snapshot Session::snapshot(std::string caption) const {
         if (vessel.held_by >= 0) snapshot.clamps.push_back(clamp_about(vessel, world_.tools()[static_cast<std::size_t>(vessel.held_by)]));
     }
     constexpr int pieces = 48;
-    for (int k = 0; world_.has_needle() && k <= pieces; ++k) snapshot.needle.push_back(world_.needle().at(world_.needle().length() * k / pieces));
+    for (const auto& needle : world_.needles()) {
+        auto& wire = snapshot.needles.emplace_back();
+        for (int k = 0; k <= pieces; ++k) wire.push_back(needle.now.at(needle.now.length() * k / pieces));
+    }
     return snapshot;
 }
 

@@ -23,7 +23,7 @@ struct Snapshot {
     std::vector<instruments::ToolInput> tools;
     std::vector<assets::Mesh> vessels;
     std::vector<std::vector<sim::geometry::Vec3>> clamps;  ///< Of approximators, an arm and a ring each.
-    std::vector<sim::geometry::Vec3> needle;  ///< From its tail to its tip; none: empty.
+    std::vector<std::vector<sim::geometry::Vec3>> needles;  ///< From tail to tip.
     std::optional<CloseUp> close_up;  ///< None: the whole field is of interest.
 };
 

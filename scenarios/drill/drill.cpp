@@ -191,7 +191,8 @@ class Reader {
         };
         bool bends = elastic, sets = false;
         read("gravity", thread.weighs), read("bending", bends), read("extension", thread.stretches), read("plastic_set", sets), read("inertia", thread.swings);
-        for (const char* key : {"gravity", "bending", "extension", "plastic_set", "inertia"})
+        thread.is_in_air = entry["air"];
+        for (const char* key : {"gravity", "bending", "extension", "plastic_set", "inertia", "air"})
             if (!elastic && entry[key])
                 document_.fail(std::string("/effects/") + key, "a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread");
         if (elastic && !bends) document_.fail("/effects/bending", "an elastic thread bends, expected true, or \"model\": \"ftl\" in the thread");
@@ -206,30 +207,51 @@ class Reader {
             document_.fail("/thread/needle", "a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels");
         const auto codes = needle_codes();
         const auto code = std::find_if(codes.begin(), codes.end(), [&](const auto& of) { return entry["code"] == of.name; });
-        const world::Vec3 towards = direction(entry, "towards"), bulge = direction(entry, "bulge");
-        if (towards.cross(bulge).norm() < 0.01 * towards.norm() * bulge.norm())  // its plane would be unknown to half a degree
-            document_.fail("/thread/needle/bulge", "is along \"towards\", expected a direction across it");
         drill_.world.needle_code = code->name;
-        drill_.world.needle = needle_at(*code, point(entry["tail_mm"]), towards, bulge);
+        drill_.world.needle = needle_of(*code, entry, "/thread/needle/");
     }
 
-    world::Vec3 direction(const json& entry, const char* key) const {
-        const world::Vec3 read = point(entry[key]);
-        if (read.isZero(0)) document_.fail(std::string("/thread/needle/") + key, "has no direction, expected one component other than 0");
-        return read;
+    sim::geometry::Arc needle_of(const NeedleCode& code, const json& entry, const std::string& pointer) const {
+        const auto direction = [&](const char* key) {
+            const world::Vec3 read = point(entry[key]);
+            if (read.isZero(0)) document_.fail(pointer + key, "has no direction, expected one component other than 0");
+            return read;
+        };
+        const world::Vec3 towards = direction("towards"), bulge = direction("bulge");
+        if (towards.cross(bulge).norm() < 0.01 * towards.norm() * bulge.norm())  // its plane would be unknown to half a degree
+            document_.fail(pointer + "bulge", "is along \"towards\", expected a direction across it");
+        return needle_at(code, point(entry["tail_mm"]), towards, bulge);
     }
 
     void read_start(json& entry) {
         world::ThreadDef& thread = drill_.world.thread;
         if (entry.contains("needle")) {
             read_needle(entry["needle"]);
-            thread.start = start_behind(drill_.world);
+            thread.start = start_behind(drill_.world, drill_.world.needle);
         }
         const int before = static_cast<int>(thread.start.size());
         if (!entry.contains("start_mm")) entry["start_mm"] = straight_start(drill_.world);
         for (const json& corner : entry["start_mm"]) thread.start.push_back(point(corner));
         if (const auto wrong = cut_and_check_start(drill_.world))
             document_.fail("/thread/start_mm" + (wrong->at < before ? "" : "/" + std::to_string(wrong->at - before)), wrong->what);
+        if (entry.contains("spares")) read_spares(entry);
+    }
+
+    void read_spares(const json& entry) {
+        if (!entry.contains("needle")) document_.fail("/thread/spares", "they would have needles like the first thread, which has none, expected \"needle\" beside them");
+        const auto codes = needle_codes();
+        const auto code = std::find_if(codes.begin(), codes.end(), [&](const auto& of) { return drill_.world.needle_code == of.name; });
+        for (std::size_t i = 0; i < entry["spares"].size(); ++i) {
+            const json& spare = entry["spares"][i];
+            const std::string pointer = "/thread/spares/" + std::to_string(i);
+            world::SpareDef& read = drill_.world.spares.emplace_back();
+            read.needle = needle_of(*code, spare["needle"], pointer + "/needle/");
+            read.start = start_behind(drill_.world, read.needle);
+            const int before = static_cast<int>(read.start.size());
+            for (const json& corner : spare["start_mm"]) read.start.push_back(point(corner));
+            if (const auto wrong = cut_and_check_last_spare(drill_.world))
+                document_.fail(pointer + "/start_mm" + (wrong->at < before ? "" : "/" + std::to_string(wrong->at - before)), wrong->what);
+        }
     }
 
     Band band(const json& entry, const std::string& pointer) const {

@@ -64,14 +64,26 @@ Shape per_instrument(const std::string& about, double high, const std::string& u
     return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {band("", high, unit)}};
 }
 
+Shape direction(const std::string& about) { return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000)); }
+
+std::vector<Key> place_of_needle() {
+    return {{"tail_mm", point("Where its tail is at the start."), true},
+            {"towards", direction("From there to its tip"), true},
+            {"bulge", direction("To which side of that line its curve lies"), true}};
+}
+
 Shape needle() {
-    const auto direction = [](const std::string& about) { return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000)); };
+    std::vector<Key> keys = place_of_needle();
+    keys.insert(keys.begin(), {"code", choice("As makers name it: part of a circle, length, wire.", names_of(needle_codes())), true});
     return group("A curved needle swaged to the thread, which starts at its tail; start_mm then goes on from behind it. Jaws that are closed on it at the "
-                 "start hold it.",
-                 {{"code", choice("As makers name it: part of a circle, length, wire.", names_of(needle_codes())), true},
-                  {"tail_mm", point("Where its tail is at the start."), true},
-                  {"towards", direction("From there to its tip"), true},
-                  {"bulge", direction("To which side of that line its curve lies"), true}});
+                 "start hold it.", keys);
+}
+
+Shape start() { return list("Path of the thread at the start, at least length_mm long; what is longer is cut off.", 2, 2000, point("A corner of the path.")); }
+
+Shape spares() {
+    const Shape spare = group("Such a thread.", {{"needle", group("Where its needle is.", place_of_needle()), true}, {"start_mm", start(), true}});
+    return list("More threads like this one, with such needles, that lie ready for when it is used up.", 0, 15, spare);
 }
 
 Shape thread() {
@@ -98,11 +110,9 @@ Shape thread() {
           false, 0},
          {"model", choice("What moves the thread: ftl, by its geometry alone; elastic, a rod that bends and stretches by its material.", {"ftl", "elastic"}), false,
           "ftl"},
-         {"start_mm",
-          list("Path of the thread at the start, at least length_mm long; what is longer is cut off.", 2, 2000,
-               point("A corner of the path.")),
-          false},
-         {"needle", needle(), false}});
+         {"start_mm", start(), false},
+         {"needle", needle(), false},
+         {"spares", spares(), false}});
 }
 
 Shape vessel() {
@@ -149,7 +159,8 @@ Shape effects() {
                           {"bending", flag("Stiffness against bending. Default: as the thread's model has it, ftl off and elastic on.")},
                           {"extension", flag("Stretch of the thread by its material; off, it stretches by next to nothing. Default: elastic on.")},
                           {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
-                          {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")}};
+                          {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")},
+                          {"air", flag("Drag of the air, which halts what of an elastic thread is loose; off, that flies on."), false, false}};
     for (const char* effect : {"twist", "tear", "leak"})
         keys.push_back({effect, {.types = boolean, .choices = {false}, .why_only = only}, false, false});
     keys.push_back({"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false, "rigid"});

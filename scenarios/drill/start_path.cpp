@@ -141,9 +141,27 @@ std::optional<StartProblem> cut_and_check_start(world::WorldDef& world) {
     return links_go_as_the_path(world);
 }
 
-std::vector<Vec3> start_behind(const world::WorldDef& world) {
-    const double two_links = 2 * world.thread.length / world.thread.links;
-    return {world.needle.tail(), world.needle.tail() - two_links * world.needle.tangent(0)};
+std::optional<StartProblem> cut_and_check_last_spare(world::WorldDef& world) {
+    world::WorldDef alone = world;
+    alone.thread.start = world.spares.back().start;
+    if (auto problem = cut_and_check_start(alone)) return problem;
+    std::vector<Vec3>& path = world.spares.back().start = alone.thread.start;
+    const auto meets = [&](const std::vector<Vec3>& other, std::size_t i) {
+        for (std::size_t j = 0; j + 1 < other.size(); ++j)
+            if (gap(path[i], path[i + 1], other[j], other[j + 1]) < world.thread.diameter) return true;
+        return false;
+    };
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        bool met = meets(world.thread.start, i);
+        for (std::size_t before = 0; before + 1 < world.spares.size(); ++before) met = met || meets(world.spares[before].start, i);
+        if (met) return StartProblem{static_cast<int>(i), "from here to the next corner it touches a thread before it, expected them a diameter apart"};
+    }
+    return {};
+}
+
+std::vector<Vec3> start_behind(const world::WorldDef& world, const sim::geometry::Arc& needle) {
+    const double two_links = 2 * world::first_link(world);
+    return {needle.tail(), needle.tail() - two_links * needle.tangent(0)};
 }
 
 nlohmann::json straight_start(const world::WorldDef& world) {

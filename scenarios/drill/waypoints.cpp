@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <sstream>
 
 #include "scenarios/drill/file.hpp"
@@ -25,6 +27,13 @@ struct Tool {
     std::vector<MotionKey> keys;
 };
 
+// Where places and directions are seen from.
+struct View {
+    Vec3 origin_mm = Vec3::Zero();
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+    bool mirrored = false;
+};
+
 Quat turned(const Vec3& pointing, const Vec3& opening) {
     const Vec3 z = pointing.normalized(), x = (opening - opening.dot(z) * z).normalized();
     Eigen::Matrix3d axes;
@@ -40,12 +49,11 @@ class Reader {
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);) {
             ++line_;
-            words_.clear();
             std::istringstream words(line.substr(0, line.find('#')));
-            for (std::string word; words >> word;) words_.push_back(word);
-            next_ = 0;
-            if (!words_.empty()) step();
+            std::vector<std::string> found{std::istream_iterator<std::string>(words), {}};
+            if (!found.empty()) take({line_, std::move(found)});
         }
+        if (!named_.empty()) complain("`steps " + named_ + "` has no `end`");
         if (tools_.empty()) complain("no `start` line, expected one that places every tool");
     }
 
@@ -60,7 +68,52 @@ class Reader {
     }
 
   private:
-    [[noreturn]] void complain(const std::string& what) const { fail(file_ + ":" + std::to_string(line_), what); }
+    struct Line {
+        int number;
+        std::vector<std::string> words;
+    };
+
+    // Between `steps` and `end` lines are kept, for `play`.
+    void take(const Line& line) {
+        if (named_.empty() || line.words.front() == "end") return run(line);
+        if (line.words.front() == "steps") complain("`steps` within `steps " + named_ + "`, expected `end` first");
+        steps_[named_].push_back(line);
+    }
+
+    void run(const Line& line) {
+        line_ = line.number, words_ = line.words, next_ = 0;
+        step();
+    }
+
+    void name_steps() {
+        named_ = word("a name");
+        if (!steps_.try_emplace(named_).second) complain("`steps " + named_ + "` a second time, expected another name");
+    }
+
+    void end_steps() {
+        if (named_.empty()) complain("`end` of nothing, expected `steps` before it");
+        named_.clear();
+    }
+
+    // As if they stood here, their frames seen from the one here.
+    void play() {
+        const std::string name = word("a name");
+        const auto known = steps_.find(name);
+        if (known == steps_.end()) complain("no steps are called \"" + name + "\", expected `steps " + name + "` before");
+        if (more()) return;
+        const View before = view_, outside = from_;
+        const int line = line_;
+        from_ = view_;
+        for (const Line& one : known->second) {
+            if (one.words.front() == "play") complain_at(one.number, "`play` within steps, expected no such line");
+            run(one);
+        }
+        line_ = line, words_.clear(), next_ = 0;
+        view_ = before, from_ = outside;
+    }
+
+    [[noreturn]] void complain_at(int line, const std::string& what) const { fail(file_ + ":" + std::to_string(line), what); }
+    [[noreturn]] void complain(const std::string& what) const { complain_at(line_, what); }
 
     bool more() const { return next_ < words_.size(); }
 
@@ -92,7 +145,7 @@ class Reader {
 
     Vec3 place() {
         const Vec3 p = vector("place in mm");
-        return origin_mm_ + frame_ * (mirrored_ ? Vec3(p.x(), -p.y(), p.z()) : p);
+        return view_.origin_mm + view_.frame * (view_.mirrored ? Vec3(p.x(), -p.y(), p.z()) : p);
     }
 
     // Where places and directions that follow are seen from.
@@ -105,7 +158,7 @@ class Reader {
             expect("about");
             by.axis() = direction();
         }
-        origin_mm_ = origin, frame_ = by.toRotationMatrix();
+        view_.origin_mm = from_.origin_mm + from_.frame * origin, view_.frame = from_.frame * by.toRotationMatrix();
     }
 
     Vec3 direction() {
@@ -134,7 +187,13 @@ class Reader {
         } else if (verb == "mirror") {
             const std::string how = word("y or off");
             if (how != "y" && how != "off") complain("mirror: expected y or off, found \"" + how + "\"");
-            mirrored_ = how == "y";
+            view_.mirrored = how == "y";
+        } else if (verb == "steps") {
+            name_steps();
+        } else if (verb == "end") {
+            end_steps();
+        } else if (verb == "play") {
+            play();
         } else if (verb == "speed") {
             speed_mm_s_ = number("speed in mm/s", 0.1, 2000);
         } else if (tools_.empty()) {
@@ -151,7 +210,7 @@ class Reader {
         } else if (verb == "wait") {
             pass(number("seconds", 0.001, 600));
         } else {
-            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, turn, jaw, wait, frame or mirror");
+            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, turn, jaw, wait, frame, mirror, steps, end or play");
         }
         if (more()) complain("\"" + words_[next_] + "\" is one word too many");
     }
@@ -159,9 +218,9 @@ class Reader {
     void orient() {
         const std::string name = word("a tool's name");
         expect("pointing");
-        const Vec3 pointing = frame_ * vector("pointing");
+        const Vec3 pointing = view_.frame * vector("pointing");
         expect("opening");
-        const Vec3 opening = frame_ * vector("opening");
+        const Vec3 opening = view_.frame * vector("opening");
         if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || pointing.isZero(0) || opening.isZero(0))
             complain("pointing and opening of " + name + " must be two different directions");
         for (Tool& known : tools_)
@@ -211,8 +270,8 @@ class Reader {
         const double angle = number("degrees", -720, 720);
         expect("about");
         Vec3 axis = direction();
-        if (mirrored_) axis = {-axis.x(), axis.y(), -axis.z()};  // and so the other way round
-        axis = frame_ * axis;
+        if (view_.mirrored) axis = {-axis.x(), axis.y(), -axis.z()};  // and so the other way round
+        axis = view_.frame * axis;
         expect("through");
         const Vec3 centre = place();
         expect("in");
@@ -243,9 +302,9 @@ class Reader {
     std::size_t next_ = 0;
     std::vector<Tool> tools_, turned_;
     double time_s_ = 0, speed_mm_s_ = 50;
-    Vec3 origin_mm_ = Vec3::Zero();
-    Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
-    bool mirrored_ = false;
+    View view_, from_;  // of what comes next; that its frames are seen from
+    std::map<std::string, std::vector<Line>> steps_;
+    std::string named_;  // to be kept under
 };
 
 }  // namespace

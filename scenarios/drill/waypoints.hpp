@@ -19,6 +19,8 @@ namespace scenarios::drill {
 ///   jaw right 0 in 0.3                               opens or closes
 ///   wait 0.5
 ///   frame 0 0 2 turned 90 about 0 0 1                where places and directions of the steps that follow are seen from, as from a vessel
+///   steps stitch ... end                             a line each: names the steps between
+///   play stitch                                      as if they stood here, their frames seen from the frame here, which is back after them
 ///   mirror y                                         from here on y of places is negated, turns are the other way round
 struct Waypoints {
     std::vector<std::string> instruments;  ///< In order of `start`.

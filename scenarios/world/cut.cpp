@@ -64,6 +64,7 @@ void World::hold_pieces() {
         hold_pieces(tool, left.first(count));
         left = left.subspan(count);
     }
+    for (Needle& needle : needles_) needle.node = left.front(), left = left.subspan(2);
 }
 
 // Of a strand cut between the jaws both stumps are held to their ends, each as a strand of its own.

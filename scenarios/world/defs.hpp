@@ -23,7 +23,8 @@ struct ThreadDef {
     double yield_strain = 0;               ///< Beyond it an elastic thread stays as it is bent; 0: never.
     bool weighs = false;                   ///< An elastic thread has weight, towards -z;
     bool stretches = true;                 ///< stretches by its material, or else by next to nothing;
-    bool swings = true;                    ///< has mass, or else is in balance in every tick.
+    bool swings = true;                    ///< has mass, or else is in balance in every tick;
+    bool is_in_air = false;                ///< is halted by it, or else what nobody holds flies on.
     double break_force = 1.96;             ///< [N] USP minimum average knot-pull.
     double friction = 0.15;                ///< Coulomb, thread on thread and on vessel.
     double friction_tool = 0.15;           ///< Coulomb, thread on the smooth outside of a tool.
@@ -54,14 +55,36 @@ struct InstrumentDef {
     instruments::Kind kind = instruments::Kind::forceps;
 };
 
+/// Another thread of the same kind, with a needle of its own.
+struct SpareDef {
+    sim::geometry::Arc needle;             ///< Where it is at t = 0;
+    std::vector<Vec3> start;               ///< as ThreadDef::start.
+};
+
 struct WorldDef {
     ThreadDef thread;
     std::string needle_code;        ///< Of the needle that the thread's first node is swaged to; empty: none.
     sim::geometry::Arc needle;      ///< Where it is at t = 0; the thread starts at its tail.
+    std::vector<SpareDef> spares;   ///< They lie ready, for when the first is used up; of a thread with a needle.
     std::vector<VesselDef> vessels;
     std::vector<InstrumentDef> instruments;
     double tick_s = 1e-3;
 };
+
+/// In which air halts a loose thread [s]: density * radius^2 * 4.4 / (4 viscosity), where 4.4 is the logarithm in the drag of a slender body (Lamb) at some
+/// 20 mm/s; 0.10 s of 6-0, 0.01 s of 10-0.
+inline double halting_time(const ThreadDef& def) {
+    constexpr double viscosity = 1.8e-5, slender = 4.4;  // [Pa s]
+    return slender * def.density * def.diameter * def.diameter / (16 * viscosity);
+}
+
+/// Length of a thread's first link [m]: of a link, halved until its far node, straight behind a needle's tail, is off the needle's circle by
+/// half the thread's radius at most; what a needle leads comes through the hole that it made.
+inline double first_link(const WorldDef& def) {
+    double link = def.thread.length / def.thread.links;
+    while (!def.needle_code.empty() && link * link > def.needle.radius * def.thread.diameter / 2) link /= 2;
+    return link;
+}
 
 /// One moment worth telling: grasp, release, slip, knot named, input dropped ...
 struct Event {

@@ -82,7 +82,8 @@ Grasp strand_between(const JawRoom& room, double width, int link, const Place& p
 }  // namespace
 
 bool World::is_held(int node) const {
-    if (has_needle() && node <= 1) return true;
+    for (const Needle& needle : needles_)
+        if (node == needle.node || node == needle.node + 1) return true;
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
             if (node >= grasp.first && node < grasp.first + grasp.count) return true;

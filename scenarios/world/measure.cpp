@@ -36,7 +36,8 @@ double World::tension_after(const Grasp& grasp) const {
 // No thread pulls harder than the jaws that hold it: beyond their grip it slides. One that only a needle leads pulls as hard as it likes, one that
 // nobody holds not at all. The estimate from lag alone knows no such limit.
 double World::most_pull() const {
-    double most = needle_.holder.tool < 0 ? 0 : std::numeric_limits<double>::infinity();
+    const auto is_led = [](const Needle& needle) { return needle.holder.tool >= 0; };
+    double most = std::any_of(needles_.begin(), needles_.end(), is_led) ? std::numeric_limits<double>::infinity() : 0;
     for (const Tool& tool : tools_)
         if (!tool.grasps.empty()) most = most == 0 ? tool.shape.grip_force : std::min(most, tool.shape.grip_force);
     return most;
@@ -64,7 +65,8 @@ void World::measure(const sim::thread::TickReport& report) {
     raise(measures_.tension_max_N, tension_now_, t);
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
-        const bool pulls = !tool.grasps.empty() || needle_.holder.tool == static_cast<int>(i);
+        const auto leads = [&](const Needle& needle) { return needle.holder.tool == static_cast<int>(i); };
+        const bool pulls = !tool.grasps.empty() || std::any_of(needles_.begin(), needles_.end(), leads);
         if (pulls && !tool.stopped)  // by steel or a wall: what it lacks then is no pull on the thread
             raise(measures_.lag_max_mm[i], 1e3 * tool.lag(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "scenarios/world/jaws.hpp"
@@ -12,11 +13,10 @@ static double degrees_to_jaws(const Arc& seen, double along) {
 }
 
 // Closing jaws hold the needle where it passes through their middle plane between them, at whatever angle.
-bool World::take_needle(int number, const JawRoom& room) {
-    if (!has_needle()) return false;
+bool World::take(Needle& needle, int number, const JawRoom& room) {
     constexpr int looks = 64;  // a millimetre of the longest needle each holds no two crossings
     const Tool& tool = tools_[static_cast<std::size_t>(number)];
-    const Arc seen = instruments::into_tool(needle_.now, tool.before.pose);
+    const Arc seen = instruments::into_tool(needle.now, tool.before.pose);
     for (int k = 0; k < looks; ++k) {
         const double from = seen.length() * k / looks, to = seen.length() * (k + 1) / looks;
         const Vec3 a = seen.at(from), b = seen.at(to);
@@ -27,7 +27,7 @@ bool World::take_needle(int number, const JawRoom& room) {
         if (!room.holds(crossing, 0)) continue;
         const double along = from + share * (to - from);
         const Holder holder{number, seen, along};
-        (needle_.holder.tool < 0 ? needle_.holder : needle_.next) = holder;
+        (needle.holder.tool < 0 ? needle.holder : needle.next) = holder;
         char what[64];
         std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees_to_jaws(seen, along));
         log("needle_grasp", what, 1e3 * along);
@@ -36,48 +36,62 @@ bool World::take_needle(int number, const JawRoom& room) {
     return false;
 }
 
-// The next holder has it from where it is now.
-void World::let_needle_go(int number) {
-    if (needle_.next.tool == number) needle_.next = {};
-    if (needle_.holder.tool != number) return;
-    log("needle_release", tools_[static_cast<std::size_t>(number)].def.name, 0);
-    needle_.holder = needle_.next;
-    needle_.next = {};
-    if (const int tool = needle_.holder.tool; tool >= 0)
-        needle_.holder.seen = instruments::into_tool(needle_.now, tools_[static_cast<std::size_t>(tool)].before.pose);
+bool World::is_needle_in_wall() const {
+    return std::any_of(vessels_.begin(), vessels_.end(), [](const SoftVessel& vessel) { return vessel.bites.touches() || vessel.bites.holes_on_needle() > 0; });
 }
 
-Arc World::needle_led_by(const instruments::Pose& tool) const {
-    return needle_.holder.tool < 0 ? needle_.now : instruments::out_of_tool(needle_.holder.seen, tool);
+bool World::take_needle(int number, const JawRoom& room) {
+    for (std::size_t i = 0; i < needles_.size(); ++i) {
+        if (!take(needles_[i], number, room)) continue;
+        if (!is_needle_in_wall()) in_use_ = i;
+        return true;
+    }
+    return false;
 }
+
+// The next holder has it from where it is now.
+void World::let_needle_go(int number) {
+    for (Needle& needle : needles_) {
+        if (needle.next.tool == number) needle.next = {};
+        if (needle.holder.tool != number) continue;
+        log("needle_release", tools_[static_cast<std::size_t>(number)].def.name, 0);
+        needle.holder = needle.next;
+        needle.next = {};
+        if (const int tool = needle.holder.tool; tool >= 0)
+            needle.holder.seen = instruments::into_tool(needle.now, tools_[static_cast<std::size_t>(tool)].before.pose);
+    }
+}
+
+Arc Needle::led_by(const instruments::Pose& tool) const { return holder.tool < 0 ? now : instruments::out_of_tool(holder.seen, tool); }
 
 // What walls push and pull at it with is taken to act at its tip: there it bends most about the jaws. Told once.
 void World::watch_needle() {
-    if (needle_.bent || needle_.holder.tool < 0) return;
+    if (needles_.empty()) return;
+    Needle& needle = needles_[in_use_];
+    if (needle.bent || needle.holder.tool < 0) return;
     Vec3 force = Vec3::Zero();
     for (const SoftVessel& vessel : vessels_) force += vessel.bites.force();
-    const double arm = (needle_.now.tip() - needle_.now.at(needle_.holder.along)).norm();
-    if (force.norm() * arm <= instruments::yield_moment(needle_.now.wire)) return;
-    needle_.bent = true;
-    log("needle_bent", tools_[static_cast<std::size_t>(needle_.holder.tool)].def.name, force.norm());
+    const double arm = (needle.now.tip() - needle.now.at(needle.holder.along)).norm();
+    if (force.norm() * arm <= instruments::yield_moment(needle.now.wire)) return;
+    needle.bent = true;
+    log("needle_bent", tools_[static_cast<std::size_t>(needle.holder.tool)].def.name, force.norm());
 }
 
 // The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where it is.
-void World::hold_thread_on_needle() {
-    if (!has_needle()) return;
-    const int owner = needle_.holder.tool;
+void World::hold_thread_on(Needle& needle) {
+    const int owner = needle.holder.tool;
     const bool is_led = owner >= 0;
     const Tool* tool = is_led ? &tools_[static_cast<std::size_t>(owner)] : nullptr;
-    needle_.before = needle_.now;
-    if (is_led) needle_.now = needle_led_by(tool->now.pose);
-    const Arc wanted = is_led && !tool->stopped ? needle_led_by(tool->asked.pose) : needle_.now;
-    const double first = thread_.rest_lengths().front();
-    for (const int node : {0, 1}) {
-        const auto place = [&](const Arc& needle) -> Vec3 { return needle.tail() - (node * first) * needle.tangent(0); };
-        holds_.push_back({node, place(needle_.now), place(wanted), true, place(needle_.before)});
+    needle.before = needle.now;
+    if (is_led) needle.now = needle.led_by(tool->now.pose);
+    const Arc wanted = is_led && !tool->stopped ? needle.led_by(tool->asked.pose) : needle.now;
+    const double first = thread_.rest_lengths()[static_cast<std::size_t>(needle.node)];
+    for (const int behind : {0, 1}) {
+        const auto place = [&](const Arc& arc) -> Vec3 { return arc.tail() - (behind * first) * arc.tangent(0); };
+        holds_.push_back({needle.node + behind, place(needle.now), place(wanted), true, place(needle.before)});
         hold_owners_.push_back(owner);
     }
-    const auto from = instruments::parts_of(needle_.before), to = instruments::parts_of(needle_.now);
+    const auto from = instruments::parts_of(needle.before), to = instruments::parts_of(needle.now);
     for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], owner});
 }
 

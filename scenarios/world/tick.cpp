@@ -61,7 +61,7 @@ void World::list_held() {
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
             for (int k = 0; k < grasp.count; ++k) held_.push_back(grasp.first + k);
-    if (has_needle()) held_.insert(held_.end(), {0, 1});
+    for (const Needle& needle : needles_) held_.insert(held_.end(), {needle.node, needle.node + 1});
 }
 
 // Links where they are needed; what is held is found again by its new numbers.
@@ -74,6 +74,7 @@ void World::fit_links() {
             grasp.first = held_[next];
             next += static_cast<std::size_t>(grasp.count);
         }
+    for (Needle& needle : needles_) needle.node = held_[next], next += 2;
 }
 
 // Grasped nodes go where their tool goes; what they lack of where it is commanded to be, with nothing but thread in its
@@ -96,8 +97,12 @@ sim::thread::TickReport World::move_thread() {
         const auto to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
         for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], static_cast<int>(i)});
     }
-    hold_thread_on_needle();
-    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, has_needle() ? 1 : 0});
+    swages_.clear();
+    for (Needle& needle : needles_) {
+        hold_thread_on(needle);
+        swages_.push_back(needle.node);
+    }
+    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, swages_});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it.
@@ -109,7 +114,8 @@ void World::let_tools_wait() {
         tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
                     tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
         bench_.set_pose(static_cast<int>(i), tool.now);
-        if (needle_.holder.tool == static_cast<int>(i)) needle_.now = needle_led_by(tool.now.pose);
+        for (Needle& needle : needles_)
+            if (needle.holder.tool == static_cast<int>(i)) needle.now = needle.led_by(tool.now.pose);
     }
 }
 

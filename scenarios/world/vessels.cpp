@@ -68,9 +68,13 @@ void World::move_vessels() {
 void World::move(SoftVessel& vessel, double seconds) {
     const int openings = vessel.skin.openings();
     pull_walls(static_cast<int>(&vessel - vessels_.data()));
-    const Arc with_swage = needle_.now.longer(thread_.rest_lengths().front());  // the link that it leads as stiffly as itself
     push_walls(static_cast<int>(&vessel - vessels_.data()));
-    vessel.bites.press(has_needle() ? &with_swage : nullptr, vessel.skin);
+    if (needles_.empty()) {
+        vessel.bites.press(nullptr, vessel.skin);
+    } else {
+        const Arc with_swage = needle().longer(thread_.rest_lengths()[static_cast<std::size_t>(needle_in_use().node)]);  // the link that it leads as stiffly as itself
+        vessel.bites.press(&with_swage, vessel.skin);
+    }
     vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
     lead_clamps(vessel);
     vessel.tissue.step({.holds = vessel.clamps, .forces = vessel.forces}, seconds);

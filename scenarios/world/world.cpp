@@ -1,6 +1,7 @@
 #include "scenarios/world/world.hpp"
 
 #include <bit>
+#include <cmath>
 
 #include "sim/geometry/resample.hpp"
 
@@ -18,24 +19,41 @@ static sim::thread::RodDef elastic(const ThreadDef& def) {
     if (def.stretches) rod.axial_over_bending = 0;
     constexpr double beyond = 1.05;  // tools wait a hundredth below the most
     rod.most_strain = std::max(rod.most_strain, beyond * def.break_force / (def.young_modulus * section(def)));
+    if (def.is_in_air) rod.halting_time = halting_time(def);
     if (def.weighs) rod.gravity = {0, 0, -g};
     return rod;
 }
 
-static sim::thread::Thread make_thread(const ThreadDef& def) {
-    // The path may be longer or shorter than the thread: cut it, or go on straight.
-    std::vector<Vec3> path{def.start.front()};
-    double left = def.length;
-    for (std::size_t i = 1; i < def.start.size() && left > 0; ++i) {
-        const Vec3 piece = def.start[i] - def.start[i - 1];
+// The path may be longer or shorter than the thread: cut it, or go on straight.
+static std::vector<Vec3> nodes_on(const std::vector<Vec3>& start, const WorldDef& world) {
+    std::vector<Vec3> path{start.front()};
+    double left = world.thread.length;
+    for (std::size_t i = 1; i < start.size() && left > 0; ++i) {
+        const Vec3 piece = start[i] - start[i - 1];
         const double length = piece.norm();
-        const bool last = i + 1 == def.start.size();
-        path.push_back(length > left || last ? Vec3(def.start[i - 1] + left / length * piece) : def.start[i]);
+        const bool last = i + 1 == start.size();
+        path.push_back(length > left || last ? Vec3(start[i - 1] + left / length * piece) : start[i]);
         left -= length;
     }
+    auto nodes = sim::geometry::resample(path, world.thread.links);
+    const int shares = static_cast<int>(std::lround(world.thread.length / world.thread.links / first_link(world)));  // a power of two
+    const auto fine = sim::geometry::resample(path, shares * world.thread.links);
+    for (int share = shares / 2; share > 0; share /= 2) nodes.insert(nodes.begin() + 1, fine[static_cast<std::size_t>(share)]);
+    return nodes;
+}
+
+static sim::thread::Thread make_thread(const WorldDef& world) {
+    const ThreadDef& def = world.thread;
     sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section(def), def.shortest_link, def.contacts_per_tick};
     if (def.model == "elastic") thread.elastic = elastic(def);
-    return {thread, sim::geometry::resample(path, def.links)};
+    std::vector<Vec3> nodes = nodes_on(def.start, world);
+    std::vector<int> cuts;
+    for (const SpareDef& spare : world.spares) {
+        cuts.push_back(static_cast<int>(nodes.size()) - 1);
+        const auto more = nodes_on(spare.start, world);
+        nodes.insert(nodes.end(), more.begin(), more.end());
+    }
+    return {thread, nodes, cuts};
 }
 
 static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {
@@ -52,7 +70,7 @@ static double thinnest_wall(const WorldDef& def) {
 }
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
-    : def_(def), thread_(make_thread(def.thread)), vessels_(soft_vessels(def)), wall_contact_({}, thinnest_wall(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
+    : def_(def), thread_(make_thread(def)), vessels_(soft_vessels(def)), wall_contact_({}, thinnest_wall(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
       targets_(wall_.tree().triangles()), strength_{def.thread.break_force} {
     if (!surface.empty()) bench_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
@@ -68,15 +86,17 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
         cores_.push_back({vessel.centre - half, vessel.centre, vessel.centre + half});
     }
     const std::size_t tools = tools_.size();
-    needle_.before = needle_.now = def.needle;
+    if (!def.needle_code.empty()) needles_.push_back({0, def.needle, def.needle, {}, {}});
+    for (const SpareDef& spare : def.spares) needles_.push_back({thread_.pieces()[needles_.size()].first, spare.needle, spare.needle, {}, {}});
     measures_.tail_mm.assign(2, 0);
     measures_.path_mm.assign(tools, 0);
     measures_.grasps.assign(tools, 0);
     measures_.lag_max_mm.assign(tools, {});
-    constexpr std::size_t on_needle = 2;
-    for (auto* of_nodes : {&held_, &hold_owners_}) of_nodes->reserve(16 * tools + on_needle);
-    holds_.reserve(16 * tools + on_needle);
-    capsules_.reserve(instruments::part_count * tools + instruments::needle_parts);
+    const std::size_t on_needles = 2 * needles_.size();
+    for (auto* of_nodes : {&held_, &hold_owners_}) of_nodes->reserve(16 * tools + on_needles);
+    holds_.reserve(16 * tools + on_needles);
+    capsules_.reserve(instruments::part_count * tools + instruments::needle_parts * needles_.size());
+    swages_.reserve(needles_.size());
     events_.reserve(1024);
     gaps_.reserve(4096);
 }
@@ -107,11 +127,12 @@ std::uint64_t World::hash() const {
         for (int t = 0; t < vessel.skin.size(); ++t) add_place(wall_.tree()[vessel.first + t].a);  // which may be behind the tissue
         for (const tissue::Bite& bite : vessel.bites.bites()) add(static_cast<double>(bite.state) + 4 * bite.on_needle + 8 * bite.torn);
     }
-    if (has_needle()) {
-        for (const Vec3* of_needle : {&needle_.now.centre, &needle_.now.to_tail, &needle_.now.onwards}) add_place(*of_needle);
-        for (const Holder* holder : {&needle_.holder, &needle_.next}) add(holder->tool);
-        add(needle_.bent);
+    for (const Needle& needle : needles_) {
+        for (const Vec3* of_needle : {&needle.now.centre, &needle.now.to_tail, &needle.now.onwards}) add_place(*of_needle);
+        for (const Holder* holder : {&needle.holder, &needle.next}) add(holder->tool);
+        add(needle.bent);
     }
+    if (in_use_ > 0) add(static_cast<double>(in_use_));
     for (const Tool& tool : tools_)
         for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
     if (strength_.pulled_s > 0) add(strength_.pulled_s);

@@ -62,9 +62,12 @@ struct Holder {
 
 /// Goes where its holder goes and stays where it is let go. `next` has closed on it too, and leads it when the other lets go.
 struct Needle {
+    int node;        ///< Of the thread that it is swaged to, its first.
     Arc before, now;
     Holder holder, next;
     bool bent = false;  ///< It was pushed harder than its wire bears; it stays as it is here.
+
+    Arc led_by(const instruments::Pose& tool) const;
 };
 
 /// What the most tied of several pieces of thread is tied to.
@@ -79,7 +82,7 @@ struct Worst {
     int contacts = 0;
 };
 
-/// A scene: one thread, its needle, its vessels, its tools. Everything a tick depends on is in here, so two worlds made of the same
+/// A scene: a thread or several, their needles, vessels, tools. Everything a tick depends on is in here, so two worlds made of the same
 /// definition and fed the same inputs are the same bit for bit.
 class World {
   public:
@@ -101,8 +104,10 @@ class World {
     sim::thread::Piece tied_piece() const;  ///< That the knot in measures() is in.
     /// Those that give way, in the order of the definition.
     std::span<const SoftVessel> vessels() const { return vessels_; }
-    bool has_needle() const { return !def_.needle_code.empty(); }
-    const Arc& needle() const { return needle_.now; }
+    /// One for each thread, or none.
+    std::span<const Needle> needles() const { return needles_; }
+    const Needle& needle_in_use() const { return needles_[in_use_]; }  ///< That walls feel: the last that was taken while no other was in one.
+    const Arc& needle() const { return needle_in_use().now; }
     const Measures& measures() const { return measures_; }
     std::span<const Event> events() const { return events_; }
     const Worst& worst() const { return worst_; }
@@ -153,10 +158,11 @@ class World {
     void measure_knot(const std::vector<sim::geometry::Vec3>& curve, std::size_t first, std::size_t last);
 
     bool take_needle(int number, const JawRoom& room);
+    bool take(Needle& needle, int number, const JawRoom& room);
     void let_needle_go(int number);
+    bool is_needle_in_wall() const;
     void watch_needle();
-    Arc needle_led_by(const instruments::Pose& tool) const;
-    void hold_thread_on_needle();
+    void hold_thread_on(Needle& needle);
     void take_hold(Tool& tool);
     void close_onto_strands(int number);
     void take_wall(Tool& tool, const JawRoom& room);
@@ -188,7 +194,9 @@ class World {
     double wall_moved_ = 0;                        // since the last tick [m]
     instruments::Bench bench_;
     std::vector<Tool> tools_;
-    Needle needle_;
+    std::vector<Needle> needles_;
+    std::size_t in_use_ = 0;                       // of them
+    std::vector<int> swages_;                      // links that needles lead, in this tick
     std::vector<int> held_;                        // nodes; scratch
     std::vector<Grasp> flat_;                      // scratch
     std::vector<sim::thread::Hold> holds_;         // of this tick

@@ -59,14 +59,19 @@ static void detect_capsules(State& state) {
     }
 }
 
+static bool is_sheathed(const State& state, int link) {
+    const auto& sheathed = state.input.sheathed;
+    return std::find(sheathed.begin(), sheathed.end(), link) != sheathed.end();
+}
+
 static void detect_surface(State& state) {
     if (!state.input.surface) return;
     const auto& surface = *state.input.surface;
     state.tree.leaves([&](const Box& box, int first, int last) {
         state.found.clear();
         surface.near(box.grown(state.reach), state.found);
-        for (int i = std::max(first, state.input.sheathed); i < last; ++i) {
-            if (state.is_cut(at(i))) continue;
+        for (int i = first; i < last; ++i) {
+            if (state.is_cut(at(i)) || is_sheathed(state, i)) continue;
             const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
             const Box near_link = Box{a0.cwiseMin(a1), a0.cwiseMax(a1)}.grown(state.reach);
             for (const int triangle : state.found) {

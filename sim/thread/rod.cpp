@@ -284,7 +284,9 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
 void Rod::begin(const RodInput& input, double seconds) {
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
-    inertia_ = seconds > 0 && def_.density > 0 ? 1 / (seconds * seconds) : 0;
+    // Drag of the step's end is one more square about where the node was: the two together are one about a place between.
+    const double with_drag = def_.halting_time > 0 ? 1 + seconds / def_.halting_time : 1;
+    inertia_ = seconds > 0 && def_.density > 0 ? with_drag / (seconds * seconds) : 0;
     turn_ = input.turn;
     held_.assign(now_.nodes.size(), 0);
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
@@ -294,7 +296,7 @@ void Rod::begin(const RodInput& input, double seconds) {
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
         loads_[i] = mass_[i] * def_.gravity;
         if (!input.loads.empty()) loads_[i] += input.loads[i];
-        aim_[i] += seconds * now_.velocity[i];
+        aim_[i] += seconds / with_drag * now_.velocity[i];
         extent = std::max(extent, now_.nodes[i].cwiseAbs().maxCoeff());
     }
     tolerance_ = input.tolerance.value_or(1e-14 * stiffest_ * extent);

@@ -22,6 +22,9 @@ struct RodDef {
     /// 16 / (3 pi) of the moment at which the outermost begin to; here it springs up to that moment and gives way at it, where a true one
     /// gives way little by little. Of bending alone: what a pull adds to the strain is left out.
     double yield_strain = 0;
+    /// In which the air about it takes all but 1/e of its speed [s]; 0: there is none. So slowly air flows as oil does, and drags each part of a thin thread by itself
+    /// and in proportion to its speed (Stokes).
+    double halting_time = 0;
     double most_strain = 0.1;        ///< No step pulls harder than its material does at this strain.
     geometry::Vec3 gravity = geometry::Vec3::Zero();  ///< [m/s^2]
 

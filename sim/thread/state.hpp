@@ -137,7 +137,7 @@ struct Unfinished {
 };
 
 struct State {
-    State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes);
+    State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::span<const int> cuts = {});
     /// Everything that there is one of per node or link and that no tick hands on to the next. Allocates nothing.
     void size_for_links();
 

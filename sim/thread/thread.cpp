@@ -10,9 +10,10 @@
 
 namespace sim::thread {
 
-static std::vector<double> lengths_of(const std::vector<Vec3>& nodes) {
+static std::vector<double> lengths_of(const std::vector<Vec3>& nodes, std::span<const int> cuts) {
     std::vector<double> lengths;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) lengths.push_back((nodes[i + 1] - nodes[i]).norm());
+    for (const int cut : cuts) lengths[static_cast<std::size_t>(cut)] = 0;
     return lengths;
 }
 
@@ -24,10 +25,10 @@ static std::size_t most_links(const ThreadDef& def, const std::vector<double>& r
     return rest.size() + static_cast<std::size_t>(1.5 * length / def.shortest_link);  // none is shorter by more than the root of two
 }
 
-State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
+State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::span<const int> cuts)
     : def(thread_def),
       nodes(std::move(start_nodes)),
-      rest(lengths_of(nodes)),
+      rest(lengths_of(nodes, cuts)),
       longest_link(1.001 * *std::max_element(rest.begin(), rest.end())),  // equal ones differ by rounding
       drift(nodes.size(), Vec3::Zero()),
       following(nodes.size(), 1.0),
@@ -59,6 +60,8 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes)
     if (!def.elastic) return;
     def.elastic->radius = def.radius;
     rod.emplace(*def.elastic, nodes);
+    for (const int cut : cuts) rod->leave_out(static_cast<std::size_t>(cut), static_cast<std::size_t>(cut) + 1);
+    rod->resize();
     rod->reserve(most);
     presses.reserve(2 * most);
     pressed.reserve(2 * most);
@@ -87,7 +90,7 @@ struct Thread::Impl {
     State state;
 };
 
-Thread::Thread(const ThreadDef& def, std::vector<Vec3> nodes) : impl_(new Impl{State(def, std::move(nodes))}) {}
+Thread::Thread(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts) : impl_(new Impl{State(def, std::move(nodes), cuts)}) {}
 Thread::~Thread() { delete impl_; }
 Thread::Thread(Thread&& other) noexcept : impl_(std::exchange(other.impl_, nullptr)) {}
 Thread& Thread::operator=(Thread&& other) noexcept {

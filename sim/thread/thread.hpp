@@ -55,7 +55,7 @@ struct TickInput {
     std::span<const Vec3> loads = {};                 ///< forces on nodes [N], one each or none.
     double surface_moved = 0;                         ///< How far the surface has gone since the last tick at most [m]; none of it through
                                                       ///< the thread: nearer by 0.45 of surface_room() at most.
-    int sheathed = 0;                                 ///< So many of the first links touch no surface: a needle that leads them is in the wall.
+    std::span<const int> sheathed = {};               ///< Links that touch no surface: the needles that lead them are in the wall.
 };
 
 /// What a tick did and what it gave up.
@@ -93,8 +93,9 @@ struct Piece {
 /// The thread as it is now, in one piece or, once it was cut, several.
 class Thread {
   public:
-    /// Nodes at `nodes` [m], at least 2; rest lengths are the distances between them.
-    Thread(const ThreadDef& def, std::vector<Vec3> nodes);
+    /// Nodes at `nodes` [m], at least 2; rest lengths are the distances between them. `cuts`: links, no two of them next to each other, the first or the
+    /// last, that are none: the thread is several from the start.
+    Thread(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts = {});
     ~Thread();
     Thread(Thread&&) noexcept;
     Thread& operator=(Thread&&) noexcept;

@@ -128,6 +128,26 @@ static double lag(const std::string& effects) {
 
 TEST(EffectsMeasured, Inertia) { expect_as_predicted(lag("{}") - lag(R"({"inertia": false})"), predicted("inertia", drill(50, "{}"))); }
 
+// How far a thread that was led along itself goes on in a second once it is let go of [mm].
+static double flies_on(const std::string& effects) {
+    constexpr double speed = 20e-3;
+    Scene scene(drill(50, effects));
+    const auto lead = [&](int ticks) {
+        for (int t = 0; t < ticks; ++t) {
+            scene.tools[0].pose.position -= 1e-3 * speed * Vec3::UnitX();
+            scene.tick();
+        }
+    };
+    lead(1000);
+    scene.tools[0].jaw = 1;
+    scene.tick(100);  // they open
+    const double before = scene.tip().x();
+    scene.tick(1000);
+    return 1e3 * (before - scene.tip().x());
+}
+
+TEST(EffectsMeasured, Air) { expect_as_predicted(flies_on("{}") - flies_on(R"({"air": true})"), predicted("air", drill(50, "{}"))); }
+
 // Laid about a strand of its own and let go of.
 TEST(EffectsMeasured, PlasticSet) {
     using app::bench::springback;

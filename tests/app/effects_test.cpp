@@ -25,6 +25,7 @@ TEST(Effects, SixZeroPolypropyleneAsPublished) {
     EXPECT_NE(effect("gravity", sample::drill).error.find("over 23 mm"), std::string::npos);
     EXPECT_NEAR(effect("extension", sample::drill).value, 0.02 / 15.9, 1e-5);
     EXPECT_NEAR(effect("inertia", sample::drill).value, (2 / 8.4) * (2 / 8.4), 1e-3);
+    EXPECT_NEAR(effect("air", sample::drill).value, 1 / 0.10, 0.5);
     EXPECT_NEAR(effect("twist", sample::drill).value, 5 * 1.5, 0.2);  // 5 turns at 100 mm
 }
 
@@ -38,7 +39,7 @@ TEST(Effects, TenZeroNylonAsPublished) {
 
 // Each effect that a drill file names is explained, so that an author finds the word she wrote.
 TEST(Effects, EveryEffectOfDrillFilesIsExplained) {
-    for (const char* name : {"gravity", "bending", "twist", "extension", "plastic_set", "tissue", "tear", "leak"}) {
+    for (const char* name : {"gravity", "bending", "twist", "extension", "plastic_set", "tissue", "tear", "leak", "inertia", "air"}) {
         EXPECT_FALSE(effect(name, sample::drill).error.empty());
         EXPECT_FALSE(effect(name, sample::drill).cost.empty());
         EXPECT_FALSE(effect(name, sample::drill).on);
@@ -49,7 +50,7 @@ TEST(Effects, EveryEffectOfDrillFilesIsExplained) {
 TEST(Effects, AnElasticThreadBendsStretchesAndSwings) {
     const std::string text = sample::with("\"size\": \"6-0\"", "\"size\": \"6-0\", \"model\": \"elastic\"");
     for (const char* name : {"bending", "extension", "inertia"}) EXPECT_TRUE(effect(name, text).on) << name;
-    for (const char* name : {"gravity", "twist", "plastic_set"}) EXPECT_FALSE(effect(name, text).on) << name;
+    for (const char* name : {"gravity", "twist", "plastic_set", "air"}) EXPECT_FALSE(effect(name, text).on) << name;
 }
 
 // What a soft wall does by itself is told as done: bites tear out and joins leak where, and only where, walls give way.
@@ -65,7 +66,7 @@ TEST(Effects, EachIsOnWhereTheDrillSaysSo) {
         std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
         return effect(name, text.replace(text.find("{\"gravity\": false}"), 18, effects)).on;
     };
-    for (const char* name : {"gravity", "plastic_set"}) EXPECT_TRUE(on(name, "{\"" + std::string(name) + "\": true}")) << name;
+    for (const char* name : {"gravity", "plastic_set", "air"}) EXPECT_TRUE(on(name, "{\"" + std::string(name) + "\": true}")) << name;
     for (const char* name : {"extension", "inertia"}) EXPECT_FALSE(on(name, "{\"" + std::string(name) + "\": false}")) << name;
 }
 

@@ -74,6 +74,22 @@ std::string needle(const std::string& towards, const std::string& bulge) {
     return text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
 }
 
+// Another thread beside the one of needle(), so far along y from it.
+std::string spare(const std::string& away_mm, const std::string& with_needle = needle("[0, 0, 1]", "[0, -1, 0]")) {
+    std::string text = with_needle;
+    return text.replace(text.find("\"length_mm\""), 11, R"("spares": [{"needle": {"tail_mm": [0, )" + away_mm + R"(, 9], "towards": [0, 0, 1], "bulge": [0, -1, 0]}, "start_mm": [[100, )" + away_mm +
+        R"(, 9], [400, )" + away_mm + R"(, 9]]}], "length_mm")");
+}
+
+TEST(DrillLoader, ReadsSpares) {
+    const Drill drill = parse_drill(spare("60"), "a", "");
+    ASSERT_EQ(drill.world.spares.size(), 1u);
+    const auto& read = drill.world.spares[0];
+    EXPECT_NEAR((read.needle.tail() - drill.world.needle.tail() - sim::geometry::Vec3(0, 0.06, 0)).norm(), 0, 1e-15);
+    EXPECT_NEAR((read.start.front() - read.needle.tail()).norm(), 0, 1e-15);
+    EXPECT_EQ(parse_drill(drill.filled, "b", "").filled, drill.filled);
+}
+
 // Off by the model's own default or by the author's word: each reaches the thread, and nothing else does.
 TEST(DrillLoader, ReadsEffectsOfAnElasticThread) {
     const auto thread = [](const std::string& effects) { return parse_drill(elastic(effects), "a", "").world.thread; };
@@ -84,6 +100,8 @@ TEST(DrillLoader, ReadsEffectsOfAnElasticThread) {
     EXPECT_TRUE(thread("{\"gravity\": true}").weighs);
     EXPECT_FALSE(thread("{\"extension\": false}").stretches);
     EXPECT_FALSE(thread("{\"inertia\": false}").swings);
+    EXPECT_FALSE(usual.is_in_air);
+    EXPECT_TRUE(thread("{\"air\": true}").is_in_air);
     EXPECT_DOUBLE_EQ(thread("{\"plastic_set\": true}").yield_strain, 0.04);
     for (const char* effects : {"{\"gravity\": true, \"inertia\": false, \"plastic_set\": true}", "{\"extension\": false}"}) {
         const Drill drill = parse_drill(elastic(effects), "a", "");
@@ -108,7 +126,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\", \"needle\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\", \"needle\", \"spares\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),
@@ -143,6 +161,9 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 1, 0]})"),
          "a.json:7:15: error: /thread/needle: a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels"},
         {needle("[0, 0, 0]", "[0, 0, 1]"), "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
+        {spare("60", with("\"friction\": 0.2", "\"links\": 300")),
+         "a.json:6:15: error: /thread/spares: they would have needles like the first thread, which has none, expected \"needle\" beside them"},
+        {spare("0"), "a.json:6:106: error: /thread/spares/0/start_mm: from here to the next corner it touches a thread before it, expected them a diameter apart"},
         {needle("[0, 0, 1]", "[0, 0, -2]"), "a.json:7:85: error: /thread/needle/bulge: is along \"towards\", expected a direction across it"},
         {with("\"friction\": 0.2", "\"model\": \"rubber\""),
          "a.json:7:14: error: /thread/model: expected \"ftl\" or \"elastic\", found \"rubber\""},

@@ -52,6 +52,36 @@ TEST(Waypoints, AFrameMovesAndTurnsWhatFollows) {
     EXPECT_LT((back.pose.position - plain.pose.position).norm(), 1e-9 * mm);
 }
 
+// Steps that were named are as good as those written out, wherever they are played.
+TEST(Waypoints, NamedStepsArePlayedInAFrame) {
+    const std::string inner = "frame 1 0 0 turned 90 about 1 0 0\ngo hand 3 2 0\nturn hand 30 about 0 0 1 through 0 1 0 in 1\nmirror y\ngo hand 3 2 0\n";
+    const std::string played = "steps bite\n" + inner + "end\nspeed 10\nframe 0 0 4 turned 90 about 0 0 1\nplay bite\ngo hand 1 2 3\n";
+    // The outer frame has x along y, y along -x; the inner's y is up there, its z along x.
+    const std::string places = "speed 10\ngo hand 0 4 6\n";
+    EXPECT_LT((at(played, 0.5).pose.position - at(places, 0.5).pose.position).norm(), 1e-9 * mm);
+    EXPECT_LT((at(played, 60).pose.position - Vec3(-2 * mm, 1 * mm, 7 * mm)).norm(), 1e-9 * mm) << "the frame from before is back, and nothing is mirrored";
+    const std::string twice = "speed 10\nsteps out\ngo hand 30 0 0\ngo hand 0 0 0\nend\nplay out\nplay out\n";
+    EXPECT_NEAR(at(twice, 3.583095 + 3 + 3).pose.position.x(), at(twice, 3.583095 + 3 - 3).pose.position.x(), 1e-5);
+}
+
+TEST(Waypoints, SaysWhatIsWrongWithNamedSteps) {
+    const auto said = [](const std::string& steps) -> std::string {
+        try {
+            at(steps, 0);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "nothing";
+    };
+    EXPECT_EQ(said("play bite\n"), "w:3: error: no steps are called \"bite\", expected `steps bite` before");
+    EXPECT_EQ(said("steps bite\nwait 1\n"), "w:4: error: `steps bite` has no `end`");
+    EXPECT_EQ(said("end\n"), "w:3: error: `end` of nothing, expected `steps` before it");
+    EXPECT_EQ(said("steps a\nsteps b\nend\n"), "w:4: error: `steps` within `steps a`, expected `end` first");
+    EXPECT_EQ(said("steps a\nend\nsteps a\nend\n"), "w:5: error: `steps a` a second time, expected another name");
+    EXPECT_EQ(said("steps a\nplay a\nend\nplay a\n"), "w:4: error: `play` within steps, expected no such line");
+    EXPECT_EQ(said("steps a\nwait x\nend\nplay a\n").substr(0, 4), "w:4:") << "the line that is wrong, not the one that plays it";
+}
+
 TEST(Waypoints, SaysWhatIsWrongWithATurn) {
     const auto said = [](const std::string& steps) -> std::string {
         try {

@@ -153,4 +153,44 @@ TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
     EXPECT_EQ(count(world, "needle_release"), 2u);
 }
 
+// Each leads its own thread, whatever becomes of the other's links.
+TEST(Needle, ASpareLeadsItsOwnThread) {
+    Scene scene;
+    const Vec3 aside(0, 60 * mm, 0);
+    scene.def.thread.model = "elastic";
+    scene.def.thread.shortest_link = scene.def.thread.diameter;
+    scene.def.instruments.push_back({"scissors", instruments::Kind::scissors});
+    scenarios::world::SpareDef spare{scene.def.needle, scene.def.thread.start};
+    spare.needle.centre += aside;
+    for (Vec3& corner : spare.start) corner += aside;
+    scene.def.spares = {spare};
+    const Arc& first = scene.def.needle;
+    std::array<ToolInput, 3> tools{scene.tools[0], scene.tools[1], {}};
+    tools[0].pose.position += aside;
+    tools[2].pose = Scene::across(first.tail() - 10 * mm * first.tangent(0), first.tangent(0), 1);
+    World world(scene.def, {}, tools);
+    const auto go = [&](int ticks, const Vec3& way) {
+        for (int t = 0; t < ticks; ++t) tools[0].pose.position += way, world.tick(tools);
+    };
+    const auto off_tail = [&](std::size_t needle) {
+        const auto& of = world.needles()[needle];
+        return (world.thread()[static_cast<std::size_t>(of.node)] - of.now.tail()).norm();
+    };
+    ASSERT_EQ(world.curves().size(), 2u);
+    go(10, Vec3::Zero());
+    tools[0].jaw = 0, tools[2].jaw = 0;
+    go(50, Vec3::Zero());
+    ASSERT_EQ(world.curves().size(), 3u) << "the first is cut";
+    go(1000, 0.03 * mm * Vec3::UnitX());
+    EXPECT_EQ(&world.needle_in_use(), &world.needles()[1]);
+    EXPECT_EQ(off(world.needles()[0].now, first), 0);
+    EXPECT_NEAR((world.needle().tail() - spare.needle.tail()).norm(), 30 * mm, 1e-9 * mm);
+    const double touching = 1e-3 * scene.def.thread.diameter;
+    EXPECT_LT(off_tail(0), touching);
+    EXPECT_LT(off_tail(1), touching);
+    EXPECT_GT((world.curves().back().back() - spare.start.back()).norm(), 5 * mm) << "its thread comes after it";
+    EXPECT_LT((world.curves()[0].back() - first.tail()).norm(), 11 * mm) << "what is left on the first stays with it";
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+}
+
 }  // namespace
