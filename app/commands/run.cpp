@@ -76,6 +76,8 @@ int run_command(const RunOptions& options) {
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
     const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
 
+    if (const std::string lost = motion.cut_short_at(drill.time_limit_s); !lost.empty()) std::cerr << options.drill << ": warning: " << lost << '\n';
+
     std::vector<ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);
     Session session(drill, start);

@@ -35,8 +35,9 @@ std::vector<std::string> check(const std::string& file) {
     if (drill.motion.empty()) return missed(drill);
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    scenarios::drill::load_motion(drill.motion, names);
-    return missed(drill);
+    auto warnings = missed(drill);
+    if (const std::string lost = scenarios::drill::load_motion(drill.motion, names).cut_short_at(drill.time_limit_s); !lost.empty()) warnings.push_back(lost);
+    return warnings;
 }
 
 }  // namespace

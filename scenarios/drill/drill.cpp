@@ -167,6 +167,8 @@ class Reader {
         thread.break_force = entry["break_N"];
         thread.friction = entry["friction"];
         thread.friction_tool = entry["friction_tool"];
+        constexpr int usual = 300, fewest = 2;
+        if (!entry.contains("links")) entry["links"] = std::clamp(static_cast<int>(thread.length / (2 * thread.diameter)), fewest, usual);
         thread.links = static_cast<int>(entry["links"].get<double>());
         thread.contacts_per_tick = static_cast<int>(entry["contacts_per_tick"].get<double>());
         if (thread.length / thread.links < thread.diameter)

@@ -101,7 +101,7 @@ Shape thread() {
          {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false, 0.15},
          {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false, 0.15},
          {"yield_percent", quantity("Strain beyond which it stays as it is bent, where effects has plastic_set.", 0.1, 100, "%")},
-         {"links", count("Straight pieces the thread is cut into.", 2, 5000), false, 300},
+         {"links", count("Straight pieces the thread is cut into. Default: 300, of a short one as many as are two diameter_mm long.", 2, 5000)},
          {"shortest_link_mm",
           quantity("Where the thread bends or touches itself links are halved, down to this, and joined again where it is straight; 0: never. "
                    "Default: diameter_mm.", 0, 1000, "mm")},

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
+#include "scenarios/drill/shape.hpp"
 #include "sim/geometry/portable_math.hpp"
 
 namespace scenarios::drill {
@@ -47,6 +49,11 @@ double Motion::duration() const {
     double last = 0;
     for (const auto& list : keys_) last = std::max(last, list.back().t_s);
     return last;
+}
+
+std::string Motion::cut_short_at(double limit_s) const {
+    if (duration() <= limit_s) return "";
+    return "/time_limit_s: " + shown(limit_s) + " s end the drill before its motion, which takes " + shown(std::ceil(1e2 * duration()) / 1e2) + " s";
 }
 
 }  // namespace scenarios::drill

@@ -27,6 +27,8 @@ class Motion {
 
     /// Time of the last key [s].
     double duration() const;
+    /// What is lost of it where a drill ends at this time [s], in a sentence; nothing: "".
+    std::string cut_short_at(double limit_s) const;
 
     std::span<const std::vector<MotionKey>> keys() const { return keys_; }
 

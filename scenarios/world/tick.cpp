@@ -53,7 +53,18 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
+        tell_what_holds_up(tool, advance);
     }
+}
+
+// Or a motion fails, and its author does not learn where.
+void World::tell_what_holds_up(Tool& tool, const instruments::Advance& advance) {
+    const double thick = 2 * tool.shape.jaw_radius, behind = tool.lag();
+    if (behind < thick) tool.held_up = false;
+    if (!advance.stopped || behind < thick || tool.held_up) return;
+    tool.held_up = true;
+    const std::string by = advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel";
+    log("held_up", tool.def.name + " by " + by, 1e3 * behind);
 }
 
 void World::list_held() {

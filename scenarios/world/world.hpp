@@ -48,6 +48,7 @@ struct Tool {
     bool stopped = false;        ///< By another tool or a vessel, in this tick.
     bool slipping = false;       ///< The thread slid between the jaws in the last tick.
     std::vector<WallGrip> walls = {};
+    bool held_up = false;        ///< Farther behind its hand than a jaw is thick, by what stands in its way; told once.
 
     /// How far it is behind its hand, a turn taken at its jaws' length [m].
     double lag() const { return instruments::way_between(now.pose, asked.pose, shape.jaw_length); }
@@ -127,6 +128,7 @@ class World {
 
   private:
     void move_instruments(std::span<const ToolInput> inputs);
+    void tell_what_holds_up(Tool& tool, const instruments::Advance& advance);
     void list_held();
     void fit_links();
     void update_grasps();

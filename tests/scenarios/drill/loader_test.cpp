@@ -74,6 +74,14 @@ std::string needle(const std::string& towards, const std::string& bulge) {
     return text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
 }
 
+// Of links that it does not name a short thread has no more than it has room for.
+TEST(DrillLoader, AShortThreadHasFewerLinks) {
+    const auto links = [](const std::string& length_mm) { return parse_drill(with("150", length_mm), "a", "").world.thread.links; };
+    EXPECT_EQ(links("150"), 300);
+    EXPECT_EQ(links("20"), 117);  // of 0.17 mm each
+    EXPECT_EQ(links("5"), 29);
+}
+
 // Another thread beside the one of needle(), so far along y from it.
 std::string spare(const std::string& away_mm, const std::string& with_needle = needle("[0, 0, 1]", "[0, -1, 0]")) {
     std::string text = with_needle;

@@ -56,6 +56,12 @@ TEST(Motion, PositionAndJawAreLinearAndRotationTurnsAtConstantRate) {
 }
 
 // Before its first row and after its last a tool waits there; extrapolation would throw it out of the scene.
+TEST(Motion, SaysWhatADrillThatEndsEarlierLoses) {
+    const Motion motion({{{0, {}}, {2.505, {}}}, {{1, {}}}});
+    EXPECT_EQ(motion.cut_short_at(2.505), "");
+    EXPECT_EQ(motion.cut_short_at(2), "/time_limit_s: 2 s end the drill before its motion, which takes 2.51 s");
+}
+
 TEST(Motion, HoldsItsEnds) {
     const Motion m = motion(quarter_turn);
     EXPECT_EQ(at(m, -1)[0].pose.position, at(m, 1)[0].pose.position);

@@ -122,6 +122,29 @@ struct TwoTools {
     }
 };
 
+// Led into another tool it stays behind its hand, which is told once, and again when it had come free.
+TEST(Tools, SayWhatHoldsThemUp) {
+    TwoTools scene;
+    World world(scene.def, {}, scene.tools);
+    const auto lead = [&](double to_mm) {
+        for (int t = 0; t < 600; ++t) {
+            const double left = 1e-3 * to_mm - scene.tools[0].pose.position.x();
+            scene.tools[0].pose.position.x() += std::clamp(left, -50e-6, 50e-6);
+            world.tick(scene.tools);
+        }
+    };
+    const auto told = [&] { return std::count_if(world.events().begin(), world.events().end(), [](const auto& event) { return event.kind == "held_up"; }); };
+    lead(8);
+    EXPECT_EQ(told(), 0);
+    lead(20);
+    ASSERT_EQ(told(), 1);
+    EXPECT_EQ(world.events().back().what, "left by right");
+    EXPECT_NEAR(world.events().back().value, 2e3 * world.tools()[0].shape.jaw_radius, 0.06);  // a tick's way of the hand
+    lead(0);
+    lead(20);
+    EXPECT_EQ(told(), 2);
+}
+
 // Strands that cross between closing jaws lie on one another there: jaws that shut all the way would press them through each other.
 TEST(Grasp, JawsStopOnStrandsThatCross) {
     for (const bool elastic : {false, true}) {
