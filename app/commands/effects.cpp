@@ -238,7 +238,7 @@ Effect air(const scenarios::world::ThreadDef& def) {
             false,
             "1 s / halting time",
             1 / halts,
-            text("what of the thread is loose should be halted in %.3f s; let go of at %.0f mm/s it should go %.1f mm, and flies on", halts, speed_mm_s, goes),
+            text("what is loose of the thread and has inertia should be halted in %.3f s: let go of at %.0f mm/s it should go %.1f mm in a second and not fly on", halts, speed_mm_s, goes),
             "would cost \"air\" in the effects of an elastic thread, one product per node",
             "way too far in a second of what is let go of at 20 mm/s, in mm",
             speed_mm_s - goes};
@@ -269,9 +269,11 @@ std::vector<Effect> effects_of(const Drill& drill) {
     for (Effect& effect : all) {
         // Where nothing springs back, nothing needs to stay; and what ties no knot has none to keep.
         if (effect.name == "plastic_set" && (!elastic || drill.goals.empty())) effect.needed_above.reset();
+        const std::string model = "would cost \"model\": \"elastic\" in the drill's thread";
+        if (elastic && effect.cost == model) effect.cost = "would cost \"" + effect.name + "\" in the effects, next to nothing beside the elastic thread itself";
         if (!elastic || !is_on(thread, effect.name)) continue;
         effect.on = true;
-        effect.error = "simulated by the elastic thread; without it " + effect.error;
+        effect.error = "simulated by the elastic thread: " + effect.error;
         effect.cost = effect.name == "bending" ? "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot"
                                                : "nothing that could be told from timing beside the elastic thread itself: carrel bench speed, effects";
     }

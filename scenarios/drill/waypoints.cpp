@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "scenarios/drill/file.hpp"
@@ -54,6 +55,8 @@ class Reader {
             if (!found.empty()) take({line_, std::move(found)});
         }
         if (!named_.empty()) complain("`steps " + named_ + "` has no `end`");
+        for (const auto& [name, steps] : steps_)
+            if (!steps.empty() && !played_.contains(name)) complain_at(steps.front().number, "`steps " + name + "` are never played, expected `play " + name + "` after them");
         if (tools_.empty()) complain("no `start` line, expected one that places every tool");
     }
 
@@ -101,6 +104,7 @@ class Reader {
         const auto known = steps_.find(name);
         if (known == steps_.end()) complain("no steps are called \"" + name + "\", expected `steps " + name + "` before");
         if (more()) return;
+        played_.insert(name);
         const View before = view_, outside = from_;
         const int line = line_;
         from_ = view_;
@@ -305,6 +309,7 @@ class Reader {
     View view_, from_;  // of what comes next; that its frames are seen from
     std::map<std::string, std::vector<Line>> steps_;
     std::string named_;  // to be kept under
+    std::set<std::string> played_;
 };
 
 }  // namespace

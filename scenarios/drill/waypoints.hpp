@@ -12,7 +12,7 @@ namespace scenarios::drill {
 ///   tool left pointing 1 0 -0.35 opening 0.35 0 1    how a tool is turned from the next step on: from handle to tip,
 ///                                                     and the way its jaws open (made square to it)
 ///   start left -7 37 42 jaw 0.6 right 22 0 30 jaw 0  where every tool is at time 0
-///   speed 60                                         of the fastest tool in the steps that follow
+///   speed 60                                         of the fastest tool in the steps that follow, mm/s; 50 until one is given
 ///   go left -8 30 36 right -18 0 20                  in a straight line, all tools arriving together
 ///   turn right 120 about 0 1 0 through 0 0 5 in 2    round an axis through a place, so many degrees, the tool and how it is turned: as
 ///                                                     a needle is driven

@@ -35,6 +35,8 @@ static ToolInput by_screw(const Tool& tool, const ToolInput& wanted, double tick
     return {instruments::between(tool.now.pose, wanted.pose, share), tool.now.jaw + share * (wanted.jaw - tool.now.jaw)};
 }
 
+static double told_behind(const Tool& tool) { return 2 * tool.shape.jaw_radius; }
+
 // Swept from where each tool is to where it is asked to be: a fast tool stops at what it meets.
 void World::move_instruments(std::span<const ToolInput> inputs) {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
@@ -53,18 +55,16 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
-        tell_what_holds_up(tool, advance);
+        if (tool.lag() < told_behind(tool)) tool.held_up = false;
+        if (tool.stopped) tell_what_holds_up(tool, advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel");
     }
 }
 
 // Or a motion fails, and its author does not learn where.
-void World::tell_what_holds_up(Tool& tool, const instruments::Advance& advance) {
-    const double thick = 2 * tool.shape.jaw_radius, behind = tool.lag();
-    if (behind < thick) tool.held_up = false;
-    if (!advance.stopped || behind < thick || tool.held_up) return;
+void World::tell_what_holds_up(Tool& tool, const std::string& by) {
+    if (tool.held_up || tool.lag() < told_behind(tool)) return;
     tool.held_up = true;
-    const std::string by = advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel";
-    log("held_up", tool.def.name + " by " + by, 1e3 * behind);
+    log("held_up", tool.def.name + " by " + by, 1e3 * tool.lag());
 }
 
 void World::list_held() {
@@ -116,7 +116,7 @@ sim::thread::TickReport World::move_thread() {
     return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, swages_});
 }
 
-// When the thread is taut a tool waits: it goes only as far as the thread let it.
+// When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic one lets all wait for one.
 void World::let_tools_wait() {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         Tool& tool = tools_[i];
@@ -125,6 +125,7 @@ void World::let_tools_wait() {
         tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
                     tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
         bench_.set_pose(static_cast<int>(i), tool.now);
+        if (!tool.stopped) tell_what_holds_up(tool, "the thread");
         for (Needle& needle : needles_)
             if (needle.holder.tool == static_cast<int>(i)) needle.now = needle.led_by(tool.now.pose);
     }

@@ -128,7 +128,7 @@ class World {
 
   private:
     void move_instruments(std::span<const ToolInput> inputs);
-    void tell_what_holds_up(Tool& tool, const instruments::Advance& advance);
+    void tell_what_holds_up(Tool& tool, const std::string& by);
     void list_held();
     void fit_links();
     void update_grasps();

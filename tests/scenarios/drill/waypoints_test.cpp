@@ -79,6 +79,7 @@ TEST(Waypoints, SaysWhatIsWrongWithNamedSteps) {
     EXPECT_EQ(said("steps a\nsteps b\nend\n"), "w:4: error: `steps` within `steps a`, expected `end` first");
     EXPECT_EQ(said("steps a\nend\nsteps a\nend\n"), "w:5: error: `steps a` a second time, expected another name");
     EXPECT_EQ(said("steps a\nplay a\nend\nplay a\n"), "w:4: error: `play` within steps, expected no such line");
+    EXPECT_EQ(said("steps a\nwait 1\nend\n"), "w:4: error: `steps a` are never played, expected `play a` after them");
     EXPECT_EQ(said("steps a\nwait x\nend\nplay a\n").substr(0, 4), "w:4:") << "the line that is wrong, not the one that plays it";
 }
 

@@ -188,6 +188,7 @@ TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
     const double lag = behind();
     EXPECT_GT(lag, 9e-3);
     EXPECT_GT(world.tension_now(), 0);
+    EXPECT_EQ(world.events().back().what, "right by the thread");
     scene.tools[0].jaw = 1;
     constexpr double a_tick = 0.1e-3;  // [m] of catching up
     double left = lag;
