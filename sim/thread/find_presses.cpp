@@ -133,17 +133,11 @@ static void sort_by_distance(State& state) {
 void find_presses(State& state) {
     state.presses.clear();
     state.rolling.clear();
-    state.touching.clear();
     sort_by_distance(state);
     for (Row* row : state.nearest_rows) add_press(state, *row);
     for (Press& press : state.presses) set_rest(state, press);
     state.pairs.clear();
-    for (const Press& press : state.presses) {
-        const Pair& pair = state.pairs.emplace_back(press.pair);
-        state.touching.insert(state.touching.end(), pair.node.begin(), pair.node.begin() + pair.nodes);
-    }
-    std::sort(state.touching.begin(), state.touching.end());
-    state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());
+    for (const Press& press : state.presses) state.pairs.push_back(press.pair);
 }
 
 }  // namespace sim::thread

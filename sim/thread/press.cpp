@@ -118,7 +118,7 @@ static int sweep_until_still(State& state, const Responses& responses) {
     }
 }
 
-int solve_presses(State& state) {
+int solve_together(State& state) {
     if (state.presses.empty()) return 0;
     const Responses responses = measure_responses(state);
     state.apart.resize(3 * state.presses.size());

@@ -12,7 +12,10 @@ bool is_far(const State& state, const Row& row);
 /// How far the step that was found takes a row's points apart, were it for the nodes alone.
 Vec3 way_of(const State& state, const Row& row);
 
-/// With the rod's inverse at State::touching; O(m n + m^2) for m contacts that touch n nodes.
+/// All of State::presses, until they push as Coulomb wants it; returns how often all were looked at.
+int solve_together(State& state);
+
+/// With the rod's inverse at the nodes that they touch; O(m n + m^2) for m contacts that touch n nodes.
 Responses measure_responses(State& state);
 
 /// Pushes contact c by `more` [N] than it does, and moves the points of all.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim/geometry/lane.hpp"
 #include "sim/thread/press.hpp"
 
@@ -14,6 +16,13 @@ static Lane weighed(const Pair& pair, const double* from, const std::array<Eigen
 #pragma GCC unroll 4
     for (std::size_t k = 0; k < 4; ++k) sum += Lane(pair.weight[k]) * Lane::from(from + place[k]);
     return sum;
+}
+
+static void find_touching(State& state) {
+    state.touching.clear();
+    for (const Press& press : state.presses) state.touching.insert(state.touching.end(), press.pair.node.begin(), press.pair.node.begin() + press.pair.nodes);
+    std::sort(state.touching.begin(), state.touching.end());
+    state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());
 }
 
 // Where each contact's nodes begin among those that touch, three axes each.
@@ -36,6 +45,7 @@ static void mirror(Responses& responses, std::size_t presses) {
 }
 
 Responses measure_responses(State& state) {
+    find_touching(state);
     const auto inverse = state.rod->matrix().inverse_at(state.touching);
     find_places(state);
     const std::vector<Press>& presses = state.presses;

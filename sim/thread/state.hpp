@@ -195,6 +195,9 @@ struct State {
     std::vector<int> touching;         ///< Scratch of it: nodes that pushes act on, increasing,
     std::vector<Eigen::Index> place;   ///< and of each where its three axes begin among theirs,
     std::vector<Press> presses;
+    std::vector<Press> all_presses;    ///< Scratch, of a thread that was cut: those of all islands, while one is solved;
+    std::vector<double> all_apart;     ///< their `apart`;
+    std::vector<int> piece_of, island; ///< of each node the piece, and of each piece the first in its island.
     std::vector<Rolling> rolling;
     std::vector<Pair> pairs;
     std::vector<Hold> targets;
@@ -285,7 +288,7 @@ double unseen_room(const State& state);
 double share_beside(const State& state, const Contact& c);
 /// All of a tick but what is told of it, for an elastic thread (elastic.cpp).
 void elastic_tick(State& state, const Motion& motion, TickReport& report);
-/// Rows that press, or may come to in this step, `presses`, `pairs` and `touching` (find_presses.cpp).
+/// Rows that press, or may come to in this step, `presses` and `pairs` (find_presses.cpp).
 void find_presses(State& state);
 /// The pushes of all together with the rod, whose step with the pushes as they were is known; returns how many sweeps that took.
 int solve_presses(State& state);

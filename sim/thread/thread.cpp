@@ -63,7 +63,8 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::sp
     for (const int cut : cuts) rod->leave_out(static_cast<std::size_t>(cut), static_cast<std::size_t>(cut) + 1);
     rod->resize();
     rod->reserve(most);
-    presses.reserve(2 * most);
+    for (auto* of_presses : {&presses, &all_presses}) of_presses->reserve(2 * most);
+    all_apart.reserve(6 * most), piece_of.reserve(most + 1);
     pressed.reserve(2 * most);
 }
 
