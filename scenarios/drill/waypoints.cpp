@@ -84,7 +84,9 @@ class Reader {
     }
 
     void run(const Line& line) {
+        constexpr int most = 100000;  // more than a file has room for
         line_ = line.number, words_ = line.words, next_ = 0;
+        if (++run_ > most) complain("the " + std::to_string(most) + "th step with all that is played, expected fewer");
         step();
     }
 
@@ -301,7 +303,7 @@ class Reader {
     }
 
     std::string file_;
-    int line_ = 0;
+    int line_ = 0, run_ = 0;
     std::vector<std::string> words_;
     std::size_t next_ = 0;
     std::vector<Tool> tools_, turned_;

@@ -20,6 +20,16 @@ ToolInput at(const std::string& steps, double time) {
     return input;
 }
 
+// What is wrong with them, if anything is.
+std::string said(const std::string& steps) {
+    try {
+        at(steps, 0);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "";
+}
+
 // A needle goes through one hole only if its holder turns about the needle's own axis, place and attitude alike.
 TEST(Waypoints, ATurnGoesRoundAnAxis) {
     const Vec3 centre(0, 0, 5 * mm);
@@ -65,14 +75,6 @@ TEST(Waypoints, NamedStepsArePlayedInAFrame) {
 }
 
 TEST(Waypoints, SaysWhatIsWrongWithNamedSteps) {
-    const auto said = [](const std::string& steps) -> std::string {
-        try {
-            at(steps, 0);
-        } catch (const FileError& error) {
-            return error.what();
-        }
-        return "nothing";
-    };
     EXPECT_EQ(said("play bite\n"), "w:3: error: no steps are called \"bite\", expected `steps bite` before");
     EXPECT_EQ(said("steps bite\nwait 1\n"), "w:4: error: `steps bite` has no `end`");
     EXPECT_EQ(said("end\n"), "w:3: error: `end` of nothing, expected `steps` before it");
@@ -80,18 +82,13 @@ TEST(Waypoints, SaysWhatIsWrongWithNamedSteps) {
     EXPECT_EQ(said("steps a\nend\nsteps a\nend\n"), "w:5: error: `steps a` a second time, expected another name");
     EXPECT_EQ(said("steps a\nplay a\nend\nplay a\n"), "w:4: error: `play` within steps, expected no such line");
     EXPECT_EQ(said("steps a\nwait 1\nend\n"), "w:4: error: `steps a` are never played, expected `play a` after them");
+    std::string plays = "steps a\nwait 1\nwait 1\nwait 1\nend\n";
+    for (int i = 0; i < 40000; ++i) plays += "play a\n";
+    EXPECT_EQ(said(plays), "w:25007: error: the 100000th step with all that is played, expected fewer");
     EXPECT_EQ(said("steps a\nwait x\nend\nplay a\n").substr(0, 4), "w:4:") << "the line that is wrong, not the one that plays it";
 }
 
 TEST(Waypoints, SaysWhatIsWrongWithATurn) {
-    const auto said = [](const std::string& steps) -> std::string {
-        try {
-            at(steps, 0);
-        } catch (const FileError& error) {
-            return error.what();
-        }
-        return "";
-    };
     EXPECT_EQ(said("turn hand 30 about 0 0 0 through 0 0 0 in 1\n"), "w:3: error: the axis has no direction, expected one component other than 0");
     EXPECT_EQ(said("frame 0 0 0 turned 90 about 0 0 0\n"), "w:3: error: the axis has no direction, expected one component other than 0");
     EXPECT_EQ(said("frame 0 0\n"), "w:3: error: expected origin in mm at the end of the line");
