@@ -103,7 +103,13 @@ Effect twist(const Rod& rod) {
             "would cost one more unknown per link"};
 }
 
-Effect extension(const Rod& rod) {
+// Of what every elastic thread does unless it is told not to.
+std::string cost_of_switching_on(const char* effect, const scenarios::world::ThreadDef& thread) {
+    if (thread.model == "elastic") return text("would cost \"%s\" in the effects, next to nothing beside the elastic thread itself", effect);
+    return "would cost \"model\": \"elastic\" in the drill's thread";
+}
+
+Effect extension(const Rod& rod, const scenarios::world::ThreadDef& thread) {
     return {
         "extension",
         false,
@@ -111,7 +117,7 @@ Effect extension(const Rod& rod) {
         handling_N / rod.axial,
         text("the thread should be longer by %.2f %% in handling (20 mN) and by %.1f %% at its breaking load (%.2f N)",
              100 * handling_N / rod.axial, 100 * rod.break_force / rod.axial, rod.break_force),
-        "would cost \"model\": \"elastic\" in the drill's thread",
+        cost_of_switching_on("extension", thread),
         "strain at 20 mN",
         handling_N / rod.axial,
         0.01};
@@ -214,7 +220,7 @@ Effect friction(const scenarios::world::ThreadDef& def) {
 }
 
 // Clamped, free end: f1 = 3.516 / (2 pi L^2) sqrt(B / m). Hands move at up to 2 Hz.
-Effect inertia(const Rod& rod) {
+Effect inertia(const Rod& rod, const scenarios::world::ThreadDef& thread) {
     const double free_length = std::min(rod.length, 0.05);
     const double f1 =
         3.516 / (2 * std::numbers::pi * free_length * free_length) * std::sqrt(rod.bending * g / rod.weight_per_m);
@@ -224,7 +230,7 @@ Effect inertia(const Rod& rod) {
             4 / (f1 * f1),
             text("a free tail of %.0f mm should swing behind a hand at 2 Hz by %.1f %%", free_length * 1000,
                  400 / (f1 * f1)),
-            "would cost \"model\": \"elastic\" in the drill's thread",
+            cost_of_switching_on("inertia", thread),
             "lag of a free tail behind a hand at 2 Hz, share of its motion",
             4 / (f1 * f1),
             0.1};
@@ -257,20 +263,18 @@ std::vector<Effect> effects_of(const Drill& drill) {
             gravity(rod),
             bending(rod, drill.world.thread),
             twist(rod),
-            extension(rod),
+            extension(rod, drill.world.thread),
             plastic_set(rod),
             tissue(drill),
             tear(drill, rod),
             leak(drill),
-            inertia(rod),
+            inertia(rod, drill.world.thread),
             air(drill.world.thread)};
     const auto& thread = drill.world.thread;
     const bool elastic = thread.model == "elastic";
     for (Effect& effect : all) {
         // Where nothing springs back, nothing needs to stay; and what ties no knot has none to keep.
         if (effect.name == "plastic_set" && (!elastic || drill.goals.empty())) effect.needed_above.reset();
-        const std::string model = "would cost \"model\": \"elastic\" in the drill's thread";
-        if (elastic && effect.cost == model) effect.cost = "would cost \"" + effect.name + "\" in the effects, next to nothing beside the elastic thread itself";
         if (!elastic || !is_on(thread, effect.name)) continue;
         effect.on = true;
         effect.error = "simulated by the elastic thread: " + effect.error;

@@ -31,14 +31,21 @@ assets::Mesh mesh_of(const scenarios::world::VesselDef& vessel, double thread_di
 }
 
 // A drill is checked against its tubes when it is read; what a mesh looks like is known only here.
-void check_start_is_clear(const scenarios::world::ThreadDef& thread, const std::string& mesh_file, const assets::Mesh& mesh) {
-    const sim::geometry::TriangleTree wall(mesh.soup());
-    if (const int corner = first_nearer(thread.start, wall, thread.diameter / 2); corner >= 0)
-        throw InputFault(mesh_file + ": error: the thread starts in this wall, behind corner " + std::to_string(corner) +
-                         " of the drill's /thread/start_mm, expected to start clear of it");
-    if (const int link = first_nearer(sim::geometry::resample(thread.start, thread.links), wall, thread.diameter / 2); link >= 0)
+void check_start_is_clear(const scenarios::world::ThreadDef& thread, const std::vector<sim::geometry::Vec3>& start, const std::string& pointer,
+                          const sim::geometry::TriangleTree& wall, const std::string& mesh_file) {
+    if (const int corner = first_nearer(start, wall, thread.diameter / 2); corner >= 0)
+        throw InputFault(mesh_file + ": error: the thread starts in this wall, behind corner " + std::to_string(corner) + " of the drill's " + pointer +
+                         ", expected to start clear of it");
+    if (const int link = first_nearer(sim::geometry::resample(start, thread.links), wall, thread.diameter / 2); link >= 0)
         throw InputFault(mesh_file + ": error: of the drill's " + std::to_string(thread.links) + " links number " + std::to_string(link) +
                          " starts in this wall, expected more of them at /thread/links, or a start farther from it");
+}
+
+void check_starts_are_clear(const scenarios::world::WorldDef& def, const std::string& mesh_file, const assets::Mesh& mesh) {
+    const sim::geometry::TriangleTree wall(mesh.soup());
+    check_start_is_clear(def.thread, def.thread.start, "/thread/start_mm", wall, mesh_file);
+    for (std::size_t i = 0; i < def.spares.size(); ++i)
+        check_start_is_clear(def.thread, def.spares[i].start, "/thread/spares/" + std::to_string(i) + "/start_mm", wall, mesh_file);
 }
 
 // What is no wall, or takes too long: a step is the slower the more cells there are.
@@ -59,7 +66,7 @@ scenarios::world::WorldDef with_walls(scenarios::world::WorldDef def) {
         vessel.outside = mesh.vertices;
         vessel.triangles = mesh.triangles;
         check_wall(vessel);
-        check_start_is_clear(def.thread, vessel.mesh_file, mesh);
+        check_starts_are_clear(def, vessel.mesh_file, mesh);
     }
     return def;
 }
@@ -69,7 +76,7 @@ std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def) {
     for (const auto& vessel : def.vessels) {
         if (vessel.is_soft) continue;
         meshes.push_back(mesh_of(vessel, def.thread.diameter));
-        if (!vessel.mesh_file.empty()) check_start_is_clear(def.thread, vessel.mesh_file, meshes.back());
+        if (!vessel.mesh_file.empty()) check_starts_are_clear(def, vessel.mesh_file, meshes.back());
     }
     return meshes;
 }

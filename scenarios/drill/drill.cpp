@@ -207,13 +207,11 @@ class Reader {
     void read_needle(const json& entry) {
         if (!drill_.world.vessels.empty() && !drill_.world.vessels.front().is_soft)
             document_.fail("/thread/needle", "a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels");
-        const auto codes = needle_codes();
-        const auto code = std::find_if(codes.begin(), codes.end(), [&](const auto& of) { return entry["code"] == of.name; });
-        drill_.world.needle_code = code->name;
-        drill_.world.needle = needle_of(*code, entry, "/thread/needle/");
+        drill_.world.needle_code = entry["code"];
+        drill_.world.needle = needle_at_start(entry, "/thread/needle/");
     }
 
-    sim::geometry::Arc needle_of(const NeedleCode& code, const json& entry, const std::string& pointer) const {
+    sim::geometry::Arc needle_at_start(const json& entry, const std::string& pointer) const {
         const auto direction = [&](const char* key) {
             const world::Vec3 read = point(entry[key]);
             if (read.isZero(0)) document_.fail(pointer + key, "has no direction, expected one component other than 0");
@@ -222,7 +220,15 @@ class Reader {
         const world::Vec3 towards = direction("towards"), bulge = direction("bulge");
         if (towards.cross(bulge).norm() < 0.01 * towards.norm() * bulge.norm())  // its plane would be unknown to half a degree
             document_.fail(pointer + "bulge", "is along \"towards\", expected a direction across it");
-        return needle_at(code, point(entry["tail_mm"]), towards, bulge);
+        return needle_at(needle_named(drill_.world.needle_code), point(entry["tail_mm"]), towards, bulge);
+    }
+
+    // Puts the corners behind what of the path is there already, and checks it all.
+    template <typename Check>
+    void read_path(const json& corners, std::vector<world::Vec3>& path, const std::string& pointer, const Check& check) {
+        const int before = static_cast<int>(path.size());
+        for (const json& corner : corners) path.push_back(point(corner));
+        if (const auto wrong = check(drill_.world)) document_.fail(pointer + (wrong->at < before ? "" : "/" + std::to_string(wrong->at - before)), wrong->what);
     }
 
     void read_start(json& entry) {
@@ -231,28 +237,20 @@ class Reader {
             read_needle(entry["needle"]);
             thread.start = start_behind(drill_.world, drill_.world.needle);
         }
-        const int before = static_cast<int>(thread.start.size());
         if (!entry.contains("start_mm")) entry["start_mm"] = straight_start(drill_.world);
-        for (const json& corner : entry["start_mm"]) thread.start.push_back(point(corner));
-        if (const auto wrong = cut_and_check_start(drill_.world))
-            document_.fail("/thread/start_mm" + (wrong->at < before ? "" : "/" + std::to_string(wrong->at - before)), wrong->what);
+        read_path(entry["start_mm"], thread.start, "/thread/start_mm", cut_and_check_start);
         if (entry.contains("spares")) read_spares(entry);
     }
 
     void read_spares(const json& entry) {
         if (!entry.contains("needle")) document_.fail("/thread/spares", "they would have needles like the first thread, which has none, expected \"needle\" beside them");
-        const auto codes = needle_codes();
-        const auto code = std::find_if(codes.begin(), codes.end(), [&](const auto& of) { return drill_.world.needle_code == of.name; });
         for (std::size_t i = 0; i < entry["spares"].size(); ++i) {
             const json& spare = entry["spares"][i];
             const std::string pointer = "/thread/spares/" + std::to_string(i);
             world::SpareDef& read = drill_.world.spares.emplace_back();
-            read.needle = needle_of(*code, spare["needle"], pointer + "/needle/");
+            read.needle = needle_at_start(spare["needle"], pointer + "/needle/");
             read.start = start_behind(drill_.world, read.needle);
-            const int before = static_cast<int>(read.start.size());
-            for (const json& corner : spare["start_mm"]) read.start.push_back(point(corner));
-            if (const auto wrong = cut_and_check_last_spare(drill_.world))
-                document_.fail(pointer + "/start_mm" + (wrong->at < before ? "" : "/" + std::to_string(wrong->at - before)), wrong->what);
+            read_path(spare["start_mm"], read.start, pointer + "/start_mm", cut_and_check_last_spare);
         }
     }
 

@@ -1,5 +1,6 @@
 #include "scenarios/drill/needles.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace scenarios::drill {
@@ -17,6 +18,10 @@ constexpr std::array<NeedleCode, 8> codes = {{{"BV75-3", 0.375, 3.8e-3, 0.075e-3
                                               {"SH", 0.5, 26e-3, 0.60e-3}}};
 
 std::span<const NeedleCode> needle_codes() { return codes; }
+
+const NeedleCode& needle_named(const std::string& name) {
+    return *std::find_if(codes.begin(), codes.end(), [&](const NeedleCode& code) { return name == code.name; });
+}
 
 Arc needle_at(const NeedleCode& code, const Vec3& tail, const Vec3& towards, const Vec3& bulge) {
     constexpr double whole = 6.28318530717958648;

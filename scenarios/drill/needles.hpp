@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 
 #include "sim/geometry/arc.hpp"
 
@@ -14,6 +15,7 @@ struct NeedleCode {
 };
 
 std::span<const NeedleCode> needle_codes();
+const NeedleCode& needle_named(const std::string& name);  ///< One of them.
 
 /// A needle of that code from its tail, towards where its tip is, bulging to one side of the line between. `towards` and `bulge`: any
 /// lengths but zero, not parallel.

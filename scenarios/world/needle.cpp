@@ -43,7 +43,7 @@ bool World::is_needle_in_wall() const {
 bool World::take_needle(int number, const JawRoom& room) {
     for (std::size_t i = 0; i < needles_.size(); ++i) {
         if (!take(needles_[i], number, room)) continue;
-        if (!is_needle_in_wall()) in_use_ = i;
+        taken_ = i;
         return true;
     }
     return false;

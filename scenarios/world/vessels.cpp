@@ -57,6 +57,7 @@ void World::press_walls_together() {
 }
 
 void World::move_vessels() {
+    if (in_use_ != taken_ && !is_needle_in_wall()) in_use_ = taken_;
     if (vessels_.empty()) return;
     load_vessels();
     if (ticks_ % period(vessels_.size()) == 0) press_walls_together();

@@ -87,7 +87,8 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     }
     const std::size_t tools = tools_.size();
     if (!def.needle_code.empty()) needles_.push_back({0, def.needle, def.needle, {}, {}});
-    for (const SpareDef& spare : def.spares) needles_.push_back({thread_.pieces()[needles_.size()].first, spare.needle, spare.needle, {}, {}});
+    const auto pieces = thread_.pieces();
+    for (const SpareDef& spare : def.spares) needles_.push_back({pieces[needles_.size()].first, spare.needle, spare.needle, {}, {}});
     measures_.tail_mm.assign(2, 0);
     measures_.path_mm.assign(tools, 0);
     measures_.grasps.assign(tools, 0);
@@ -132,7 +133,8 @@ std::uint64_t World::hash() const {
         for (const Holder* holder : {&needle.holder, &needle.next}) add(holder->tool);
         add(needle.bent);
     }
-    if (in_use_ > 0) add(static_cast<double>(in_use_));
+    for (const std::size_t needle : {taken_, in_use_})
+        if (needle > 0) add(static_cast<double>(needle));
     for (const Tool& tool : tools_)
         for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
     if (strength_.pulled_s > 0) add(strength_.pulled_s);

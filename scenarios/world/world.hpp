@@ -107,7 +107,7 @@ class World {
     std::span<const SoftVessel> vessels() const { return vessels_; }
     /// One for each thread, or none.
     std::span<const Needle> needles() const { return needles_; }
-    const Needle& needle_in_use() const { return needles_[in_use_]; }  ///< That walls feel: the last that was taken while no other was in one.
+    const Needle& needle_in_use() const { return needles_[in_use_]; }  ///< That walls feel: the last that was taken, once no other is in one.
     const Arc& needle() const { return needle_in_use().now; }
     const Measures& measures() const { return measures_; }
     std::span<const Event> events() const { return events_; }
@@ -197,7 +197,7 @@ class World {
     instruments::Bench bench_;
     std::vector<Tool> tools_;
     std::vector<Needle> needles_;
-    std::size_t in_use_ = 0;                       // of them
+    std::size_t taken_ = 0, in_use_ = 0;           // of them: the last that was, and that walls feel
     std::vector<int> swages_;                      // links that needles lead, in this tick
     std::vector<int> held_;                        // nodes; scratch
     std::vector<Grasp> flat_;                      // scratch

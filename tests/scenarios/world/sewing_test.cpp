@@ -81,9 +81,9 @@ struct Case {
     bool with_spare;
 };
 
-class Sewing : public testing::TestWithParam<Case> {};
+class SewingTest : public testing::TestWithParam<Case> {};
 
-TEST_P(Sewing, ThreadFollowsTheNeedleThroughFourSkins) {
+TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
     Scene scene(GetParam().model, GetParam().links, GetParam().with_spare);
     World world(scene.def, {}, scene.tools);
     const auto length = [&] {
@@ -136,7 +136,31 @@ TEST_P(Sewing, ThreadFollowsTheNeedleThroughFourSkins) {
     EXPECT_GT((world.needle().tail() - world.vessels()[1].skin.centre(0)).norm(), 8 * mm) << "the needle is on its way";
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Sewing, testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false}, Case{"ftl_few_links", "ftl", 15, false},
+// Walls feel one needle at a time. One that is taken while another is in a wall waits until that is out, not until it is taken again.
+TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
+    Scene scene("ftl", 130, true);
+    std::swap(scene.def.needle, scene.def.spares[0].needle);
+    std::swap(scene.def.thread.start, scene.def.spares[0].start);
+    auto& [right, left] = scene.tools;
+    left = {Scene::across(scene.def.spares[0].needle, 5 * mm, 1), 0.6};
+    World world(scene.def, {}, scene.tools);
+    const auto go = [&](int ticks, double degrees) {
+        for (int t = 0; t < ticks; ++t) scene.turn(right, degrees), world.tick(scene.tools);
+    };
+    const auto in_use = [&] { return &world.needle_in_use() - world.needles().data(); };
+    go(5, 0);
+    go(500, 0.1);
+    ASSERT_GT(world.vessels()[0].bites.holes_on_needle(), 0);
+    left.jaw = 0;
+    go(50, 0);
+    EXPECT_EQ(world.needles()[1].holder.tool, 1);
+    EXPECT_EQ(in_use(), 0);
+    go(500, -0.1);
+    ASSERT_EQ(world.vessels()[0].bites.holes_on_needle(), 0);
+    EXPECT_EQ(in_use(), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, SewingTest, testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false}, Case{"ftl_few_links", "ftl", 15, false},
                                                                       Case{"elastic_few_links", "elastic", 15, false}, Case{"ftl_spare", "ftl", 130, true},
                                                                       Case{"elastic_spare", "elastic", 130, true}),
     [](const auto& of) { return std::string(of.param.name); });

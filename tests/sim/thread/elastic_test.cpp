@@ -126,6 +126,66 @@ TEST(Elastic, FallsAsStonesDo) {
         }
 }
 
+// Air takes the same share of a loose thread's speed in every tick: implicit Euler's of exp(-t / halting time).
+TEST(Elastic, AirHaltsItInItsTime) {
+    constexpr double speed = 0.02;
+    for (const double halting : {0.1, 0.01}) {
+        ThreadDef def = elastic(0);
+        def.elastic->halting_time = halting;
+        std::vector<Vec3> nodes;
+        for (int i = 0; i <= 10; ++i) nodes.emplace_back(thickness * i, 0, 0);
+        Thread thread(def, nodes);
+        std::vector<Vec3> loads(nodes.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            loads[i].z() = def.elastic->mass_per_length() * thickness * (i == 0 || i + 1 == nodes.size() ? 0.5 : 1) * speed / tick * (1 + tick / halting);
+        thread.tick({{}, {}, {}, nullptr, tick, loads});
+        const double begun = thread.nodes()[5].z();
+        EXPECT_NEAR(begun, speed * tick, 1e-6 * speed * tick);  // what keeps a free thread solvable is a billionth of its stiffness
+        constexpr int ticks = 50;
+        for (int t = 0; t < ticks; ++t) thread.tick({{}, {}, {}, nullptr, tick});
+        const double kept = 1 / (1 + tick / halting), way = speed * tick * kept * (1 - std::pow(kept, ticks)) / (1 - kept);
+        EXPECT_NEAR(thread.nodes()[5].z() - begun, way, 1e-4 * way) << halting;
+    }
+}
+
+// A tight knot far away, of a piece of its own, is of no concern to one that is drawn tight then: not in one bit.
+TEST(Elastic, PiecesThatDoNotTouchAreSolvedApart) {
+    const auto play = [](bool with_other) {
+        ThreadDef def = elastic(0.2);
+        def.elastic->keeps_shape = true;
+        std::vector<Vec3> nodes = loose_overhand();
+        const int last = static_cast<int>(nodes.size()) - 1;
+        std::vector<int> cuts;
+        if (with_other) {
+            cuts.push_back(last);
+            for (const Vec3& p : loose_overhand()) nodes.push_back(p + Vec3(0, 0, 1));
+        }
+        Thread thread(def, nodes, cuts);
+        const int end = static_cast<int>(nodes.size()) - 1;
+        constexpr int each = 1000;
+        for (int t = 1; t <= 2 * each; ++t) {
+            std::vector<Hold> holds;
+            std::vector<int> owners;
+            const auto pull = [&](int first_node, int last_node, int ticks) {
+                const Vec3 way = 0.02 * thickness * ticks * Vec3::UnitX();
+                for (const int behind : {0, 1}) {
+                    holds.push_back({first_node + behind, nodes[static_cast<std::size_t>(first_node + behind)] - way});
+                    holds.push_back({last_node - behind, nodes[static_cast<std::size_t>(last_node - behind)] + way});
+                    owners.insert(owners.end(), {0, 1});
+                }
+            };
+            pull(0, last, std::max(0, t - each));
+            if (with_other) pull(last + 1, end, std::min(t, each));
+            thread.tick({holds, owners, {}, nullptr, tick});
+        }
+        return std::vector<Vec3>(thread.nodes().begin(), thread.nodes().begin() + last + 1);
+    };
+    const auto alone = play(false), beside = play(true);
+    double most = 0;
+    for (std::size_t i = 0; i < alone.size(); ++i) most = std::max(most, (alone[i] - beside[i]).norm());
+    EXPECT_EQ(most / thickness, 0);
+}
+
 // Coulomb's law for a thread of which every link touches a wall: a fiftieth above what slides it is on its way, a fiftieth below it stays.
 TEST(Elastic, SlidesDownAnInclineOnlyWhereItMust) {
     for (const double friction : {0.1, 0.3})
