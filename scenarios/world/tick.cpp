@@ -55,7 +55,6 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
-        if (tool.lag() < told_behind(tool)) tool.held_up = false;
         if (tool.stopped) tell_what_holds_up(tool, advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel");
     }
 }
@@ -121,13 +120,15 @@ void World::let_tools_wait() {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         Tool& tool = tools_[i];
         const double share = thread_.progress(static_cast<int>(i));
-        if (share >= 1) continue;
-        tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
-                    tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
-        bench_.set_pose(static_cast<int>(i), tool.now);
-        if (!tool.stopped) tell_what_holds_up(tool, "the thread");
-        for (Needle& needle : needles_)
-            if (needle.holder.tool == static_cast<int>(i)) needle.now = needle.led_by(tool.now.pose);
+        if (share < 1) {
+            tool.now = {instruments::between(tool.before.pose, tool.now.pose, share), tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
+            bench_.set_pose(static_cast<int>(i), tool.now);
+            if (!tool.stopped) tell_what_holds_up(tool, "the thread");
+            for (Needle& needle : needles_)
+                if (needle.holder.tool == static_cast<int>(i)) needle.now = needle.led_by(tool.now.pose);
+        }
+        constexpr double caught_up = 0.5;  // or one that stays as far behind as is told is told again and again
+        if (tool.lag() < caught_up * told_behind(tool)) tool.held_up = false;
     }
 }
 

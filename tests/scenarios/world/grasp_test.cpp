@@ -145,6 +145,25 @@ TEST(Tools, SayWhatHoldsThemUp) {
     EXPECT_EQ(told(), 2);
 }
 
+// Held back by a taut thread it is told once as well, however long the hand goes on.
+TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
+    TwoTools scene;
+    World world(scene.def, {}, scene.tools);
+    for (int t = 0; t < 400; ++t) {
+        for (auto& tool : scene.tools) tool.jaw = std::max(0.0, tool.jaw - 4e-3);
+        world.tick(scene.tools);
+    }
+    ASSERT_EQ(std::count_if(world.events().begin(), world.events().end(), [](const auto& event) { return event.kind == "grasp"; }), 2);
+    double behind = 0;
+    for (int t = 0; t < 300; ++t) {
+        scene.tools[1].pose.position.x() += 20e-6;
+        world.tick(scene.tools);
+        behind = std::max(behind, world.tools()[1].lag());
+    }
+    ASSERT_GT(behind, 4 * world.tools()[1].shape.jaw_radius);
+    EXPECT_EQ(std::count_if(world.events().begin(), world.events().end(), [](const auto& event) { return event.kind == "held_up" && event.what == "right by the thread"; }), 1);
+}
+
 // Strands that cross between closing jaws lie on one another there: jaws that shut all the way would press them through each other.
 TEST(Grasp, JawsStopOnStrandsThatCross) {
     for (const bool elastic : {false, true}) {
