@@ -164,6 +164,7 @@ Result Session::finish() {
     key_moments_.push_back(snapshot("the end"));
     // Looking for the knot names it and measures its tails, which are scored below.
     if (auto near = close_snapshot()) key_moments_.push_back(std::move(*near));
+    world_.judge_ties();
     world_.judge_sewing();
     const auto& measures = world_.measures();
     const auto& worst = world_.worst();

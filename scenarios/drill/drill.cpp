@@ -282,6 +282,7 @@ class Reader {
             if (entry.contains("throws") && entry["throws"].is_number())
                 goal.throws = static_cast<int>(entry["throws"].get<double>());
             if (entry.contains("tails_mm")) goal.tails_mm = band(entry["tails_mm"], place + "/tails_mm");
+            goal.times = static_cast<int>(entry["times"].get<double>());
             if (const GoalFault fault = fault_of(goal, !vessels.empty()); !fault.what.empty()) document_.fail(place + "/" + fault.key, fault.what);
             drill_.goals.push_back(goal);
         }

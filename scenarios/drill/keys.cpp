@@ -178,6 +178,7 @@ Shape goal() {
                   "clove hitch", "constrictor", "cow hitch", "prusik"}), true},
          {"around", name("Vessel that the thread goes around.")},
          {"throws", throws},
+         {"times", count("In how many pieces of thread.", 1, 100), false, 1},
          {"tails_mm", list("Shortest and longest tail allowed.", 2, 2, quantity("Length of a tail.", 0, 1000, "mm"))}});
 }
 

@@ -91,9 +91,10 @@ std::string told_apart(double value, int digits, const Band& band) {
 }
 
 std::string in_words(const Band& band) {
+    if (band.low == band.high) return shown(band.low);
     if (band.low > 0 && std::isinf(band.high)) return "at least " + shown(band.low);
     if (band.low > 0) return shown(band.low) + " to " + shown(band.high);
-    return band.high == 0 ? "0" : "at most " + shown(band.high);
+    return "at most " + shown(band.high);
 }
 
 struct Reading {
@@ -168,6 +169,28 @@ void score_tails(const Goal& goal, const world::Measures& measures, std::vector<
         {"tail_short", "Shorter tail", "mm", *shorter, 2, measures.knot_since_s, too_long, too_short}, goal.tails_mm));
     items.push_back(judged({"tail_long", "Longer tail", "mm", *longer, 2, measures.knot_since_s, too_long, too_short},
                            goal.tails_mm));
+}
+
+// Of one of several knots that are asked for.
+bool is_tied(const Goal& goal, const Name& name) {
+    return is_asked(goal, name) && (goal.throws == 0 || throw_count(name.throws) == goal.throws);
+}
+
+// Stitches that are each tied.
+void score_ties(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    double tied = 0, cut = 0;
+    for (const world::TieMeasure& tie : measures.ties) {
+        const bool is = is_tied(goal, tie.knot), both = goal.tails_mm && goal.tails_mm->holds(tie.tail_mm[0]) && goal.tails_mm->holds(tie.tail_mm[1]);
+        tied += is;
+        cut += is && both;
+    }
+    const Band asked{static_cast<double>(goal.times), static_cast<double>(goal.times)};
+    const auto count = [&](const char* name, const std::string& title, double found, const char* too_few) {
+        items.push_back(judged({name, title, "", found, 0, measures.duration_s, "There are more than asked.", too_few}, asked));
+    };
+    const std::string knots = goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
+    count("knots", "Pieces of thread tied in " + knots, tied, "Some thread is not tied, or another way: see the events.");
+    if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", cut, "Tails are too short or too long: cut each stitch alike.");
 }
 
 void score_around(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
@@ -272,6 +295,10 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
            "one measure per instrument");
     std::vector<ScoreItem> items;
     for (const Goal& goal : drill.goals) {
+        if (goal.times > 1) {
+            score_ties(goal, measures, items);
+            continue;
+        }
         score_knot(goal, measures, items);
         score_throws(goal, measures, items);
         score_tails(goal, measures, items);

@@ -38,6 +38,8 @@ bool is_hitch(const std::string& tie) {
 
 GoalFault fault_of(const Goal& goal, bool has_vessel) {
     if (is_hitch(goal.tie) && !has_vessel) return {"tie", "a " + goal.tie + " needs a vessel to be tied round, and there is none"};
+    if (goal.times > 1 && is_hitch(goal.tie)) return {"times", "hitches are looked for in one thread, expected a knot"};
+    if (goal.times > 1 && !goal.around.empty()) return {"around", "knots in several threads are not looked for round a vessel, expected no such key"};
     const Stack* stack = stack_of(goal.tie);
     const int asked = goal.notation.empty() ? goal.throws : throw_count(goal.notation);
     if (asked == 0) return {};

@@ -49,6 +49,29 @@ sim::thread::Piece World::tied_piece() const {
     return pieces[std::min(static_cast<std::size_t>(measures_.piece), pieces.size() - 1)];
 }
 
+std::vector<Vec3> World::curve_of(const sim::thread::Piece& piece) const {
+    return {thread_.nodes().begin() + piece.first, thread_.nodes().begin() + piece.last + 1};
+}
+
+std::span<const double> World::rest_of(const sim::thread::Piece& piece) const {
+    return thread_.rest_lengths().subspan(static_cast<std::size_t>(piece.first), static_cast<std::size_t>(piece.last - piece.first));
+}
+
+static std::vector<double> tails_mm(std::span<const double> rest, const Place& place) {
+    return {length_mm(rest, 0, place.first), length_mm(rest, place.last, rest.size())};
+}
+
+void World::judge_ties() {
+    measures_.ties.clear();
+    for (const sim::thread::Piece& piece : thread_.pieces()) {
+        const std::vector<Vec3> curve = curve_of(piece);
+        sim::knot::Name knot = sim::knot::name_knot(curve);
+        if (knot.factors.empty()) continue;
+        const Place place = place_of(curve, knot.knot);
+        measures_.ties.push_back({std::move(knot), tails_mm(rest_of(piece), place)});
+    }
+}
+
 void World::locate_knot() {
     measures_.tail_mm = {0, 0};
     measures_.loop_mm = measures_.knot_mm = 0;
@@ -57,20 +80,17 @@ void World::locate_knot() {
     const sim::thread::Piece piece = tied_piece();
     if (measures_.hitched_to >= 0) locate_hitch(def_.vessels[static_cast<std::size_t>(measures_.hitched_to)], piece);
     if (measures_.knot.factors.empty()) return;
-    const std::vector<Vec3> curve(thread_.nodes().begin() + piece.first, thread_.nodes().begin() + piece.last + 1);
-    const auto rest = thread_.rest_lengths().subspan(static_cast<std::size_t>(piece.first));
+    const std::vector<Vec3> curve = curve_of(piece);
     const Place place = place_of(curve, measures_.knot.knot);
-    measures_.tail_mm = {length_mm(rest, 0, place.first),
-                         length_mm(rest, place.last, curve.size() - 1)};
+    measures_.tail_mm = tails_mm(rest_of(piece), place);
     measure_knot(curve, place.first, place.last);
 }
 
 // Tails are what lies before the thread comes to the vessel and after it has left it.
 void World::locate_hitch(const VesselDef& vessel, const sim::thread::Piece& piece) {
     measures_.around.push_back(vessel.name);
-    const auto from = static_cast<std::size_t>(piece.first);
-    const auto nodes = thread_.nodes().subspan(from, static_cast<std::size_t>(piece.last) - from + 1);
-    const auto rest = thread_.rest_lengths().subspan(from);
+    const std::vector<Vec3> nodes = curve_of(piece);
+    const auto rest = rest_of(piece);
     const auto near = [&](const Vec3& p) { return off_surface(vessel, p) < 2 * def_.thread.diameter; };
     const auto first = std::find_if(nodes.begin(), nodes.end(), near);
     if (first == nodes.end()) return;

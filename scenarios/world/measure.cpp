@@ -76,7 +76,7 @@ void World::measure(const sim::thread::TickReport& report) {
 
 std::vector<std::vector<Vec3>> World::curves() const {
     std::vector<std::vector<Vec3>> curves;
-    for (const auto& [first, last] : thread_.pieces()) curves.emplace_back(thread_.nodes().begin() + first, thread_.nodes().begin() + last + 1);
+    for (const auto& piece : thread_.pieces()) curves.push_back(curve_of(piece));
     return curves;
 }
 

@@ -29,6 +29,12 @@ struct LapseMeasure {
     bool committed = false;
 };
 
+/// A piece of thread with a knot in it.
+struct TieMeasure {
+    sim::knot::Name knot;
+    std::vector<double> tail_mm;               ///< Two: from the knot to the first and to the last node of the piece.
+};
+
 /// Of two vessels whose ends were sewn (tissue/join.hpp).
 struct JoinMeasure {
     double gap_mm = 0;                         ///< Widest along the suture line.
@@ -47,6 +53,7 @@ struct Measures {
     double knot_mm = 0;                        ///< Thread in those strands: the less, the tighter.
     double off_tissue_mm = -1;                 ///< From the knot to the tube it goes round; -1 where it goes round none.
     std::vector<std::string> around;           ///< Vessels that the knot's loop goes round.
+    std::vector<TieMeasure> ties;              ///< At the end, piece by piece of the thread.
     std::vector<BiteMeasure> bites;            ///< At the end, vessel by vessel.
     JoinMeasure join;
     double duration_s = 0;

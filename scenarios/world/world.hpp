@@ -123,6 +123,8 @@ class World {
     void name_knot_now();
     /// Where that knot is and how it lies: tails, loop, the vessels it goes round, how far from them. Names many pieces of the thread: for the end of a session.
     void locate_knot();
+    /// The knot of each piece, likewise.
+    void judge_ties();
     /// Bites, and the join of two cut ends: for the end of a session too.
     void judge_sewing();
 
@@ -156,6 +158,8 @@ class World {
     double place_mm(int link, double share) const;
     void name_beside();
     void take_name(TiedPiece tied);
+    std::vector<Vec3> curve_of(const sim::thread::Piece& piece) const;
+    std::span<const double> rest_of(const sim::thread::Piece& piece) const;
     void locate_hitch(const VesselDef& vessel, const sim::thread::Piece& piece);
     void measure_knot(const std::vector<sim::geometry::Vec3>& curve, std::size_t first, std::size_t last);
 

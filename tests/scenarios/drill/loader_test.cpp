@@ -177,6 +177,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:7:14: error: /thread/model: expected \"ftl\" or \"elastic\", found \"rubber\""},
         {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),
          "a.json:17:41: error: /goals/0/around: no vessel is named \"aorta\", expected \"carotid\""},
+        {with("\"throws\": 2", "\"times\": 2"), "a.json:17:41: error: /goals/0/around: knots in several threads are not looked for round a vessel, expected no such key"},
+        {with("\"square\", \"around\": \"carotid\", \"throws\": 2", "\"cow hitch\", \"times\": 2"), "a.json:17:43: error: /goals/0/times: hitches are looked for in one thread, expected a knot"},
         {with("\"throws\": 2", "\"throws\": \"2-1\""),
          "a.json:17:62: error: /goals/0/throws: expected turns of each throw joined by '=' (reversed) or 'x' (same "
          "way), such as \"2=1\", found \"2-1\""},

@@ -135,6 +135,29 @@ TEST(Score, TailsAreJudgedBothAtTheirBand) {
               "The tail is longer than asked. Cut it, or start with less thread on this side.");
 }
 
+// Of a join of several stitches one knot that is right must not hide another that is not, nor its short tail.
+TEST(Score, EveryOneOfSeveralKnotsIsJudged) {
+    const std::string text = sample::with("\"around\": \"carotid\", \"throws\": 2", "\"throws\": 2, \"times\": 3");
+    world::Measures m = good();
+    const world::TieMeasure tied{m.knot, {3, 8}};
+    m.ties = {tied, tied, tied};
+    EXPECT_TRUE(item("knots", m, text).passed);
+    EXPECT_EQ(item("knots", m, text).band, "3");
+    EXPECT_TRUE(item("tails", m, text).passed);
+    m.ties[1].tail_mm = {8.1, 4};
+    EXPECT_TRUE(item("knots", m, text).passed);
+    EXPECT_EQ(item("tails", m, text).value, "2");
+    EXPECT_FALSE(item("tails", m, text).passed);
+    m.ties[2].knot.surgical = "granny", m.ties[2].knot.throws = "1x1";
+    EXPECT_EQ(item("knots", m, text).value, "2");
+    EXPECT_FALSE(item("knots", m, text).passed);
+    m.ties[2] = {m.knot, {4, 4}};
+    m.ties[2].knot.throws = "1=1=1";
+    EXPECT_EQ(item("knots", m, text).value, "2") << "two throws were asked";
+    m.ties = {tied, tied, tied, tied};
+    EXPECT_FALSE(item("knots", m, text).passed);
+}
+
 // Each measured item fails on its own and leaves the others alone: there is no sum in which one hides another.
 TEST(Score, ItemsFailAlone) {
     const std::string text =

@@ -286,6 +286,10 @@ TEST(Scissors, TheKnotIsThatOfThePieceThatIsTied) {
     EXPECT_NEAR(after.tail_mm[1], before.tail_mm[1] - cut_off, 0.5);
     EXPECT_GT(cut_off, 5);
     EXPECT_EQ(play.world.tied_piece().last, play.world.thread_state().pieces()[0].last);
+    play.world.judge_ties();
+    ASSERT_EQ(after.ties.size(), 1u) << "the piece that was cut off is not tied";
+    EXPECT_EQ(after.ties[0].knot.knot, after.knot.knot);
+    EXPECT_EQ(after.ties[0].tail_mm, after.tail_mm);
 }
 
 // The same tool in the same way cuts the same thread to the same bits.
