@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include "sim/geometry/arc.hpp"
 #include "tissue/contact.hpp"
 #include "tissue/rim.hpp"
@@ -64,9 +66,10 @@ struct BiteEvent {
         withdrawn,                 ///< It left the way it came.
         drawn,                     ///< All of it is through.
         torn,                      ///< Out to the cut, which it now opens into.
+        slipped,                   ///< The tip went over an edge of a wall that gave way too much to be pierced; no bite.
     } kind;
-    int bite;
-    double force;                  ///< That pierced a skin or tore it [N].
+    int bite;                      ///< None: -1.
+    double force;                  ///< That pierced a skin or tore it, or that the tip pressed with before it slipped [N].
 };
 
 /// A needle's way into, through and out of one vessel's wall, as often as it likes; its bites remain. Before the tip is through a skin it dimples it, or
@@ -106,8 +109,9 @@ class Bites {
   private:
     struct Touch {                      // of the tip and a skin that it has not pierced
         bool active = false, inwards = true;
-        int face = 0;
+        int face = 0;                   // none: -1
         Vec3 weights = Vec3::Zero();    // in the face
+        Side first_side = Side::outer;
         Vec3 first_normal = Vec3::Zero();
         Vec3 tip = Vec3::Zero();        // of the needle; in the step in which the skin gives way, as far as it does
         double force = 0, gone = 0, gain = 0;  // [N], how far the tip went in a step [m], and how much force that added a metre
@@ -128,6 +132,7 @@ class Bites {
     Skin::Spot behind_tip(const Skin& skin) const;
     int hole_behind_tip(const Skin& skin) const;
     void advance_touch();
+    bool stays(const Skin& skin);
     void slide_touch(const Skin& skin);
     Vec3 way_of_touch(const Skin& skin) const;
     Vec3 touch_force(const Skin& skin) const;  // on the wall
@@ -159,6 +164,7 @@ class Bites {
     bool has_needle_ = false;
     int passes_ = 0;
     Touch touch_;
+    Vec3 slipped_at_ = Vec3::Constant(std::numeric_limits<double>::infinity());
     std::vector<Crossing> crossings_;
     std::vector<PointForce> forces_;
     std::vector<Bite> bites_;

@@ -24,7 +24,7 @@ Vec3 Bites::touch_force(const Skin& skin) const {
 
 void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
     const int face = skin.face(spot.triangle);
-    touch_ = {.active = true, .inwards = !tip_is_in_wall(), .face = face, .weights = skin.weights_in_face(face, spot.at), .first_normal = skin.normal_of_face(face), .tip = needle_.tip()};
+    touch_ = {.active = true, .inwards = !tip_is_in_wall(), .face = face, .weights = skin.weights_in_face(face, spot.at), .first_side = skin.side_of_face(face), .first_normal = skin.normal_of_face(face), .tip = needle_.tip()};
 }
 
 // As far as the needle's tip, or where the last step foretells that the skin gives way: a quick needle's step would go far beyond.
@@ -52,20 +52,28 @@ void Bites::settle_touch(Skin& skin) {
 }
 
 // Drawn after the tip as far as friction does not hold it; over where it has left the wall, or an edge of it.
-void Bites::slide_touch(const Skin& skin) {
+bool Bites::stays(const Skin& skin) {
     const Vec3 way = way_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
     const double deep = off.dot(way), most = def_.grip * deep;
     const Vec3 across = off - deep * way;
     const double far = across.norm();
-    touch_.active = deep > 0;
-    if (!touch_.active || far <= most) return;
+    if (deep <= 0 || far <= most) return deep > 0;
     const Vec3 goal = touch_.tip - deep * way - most / far * across;
     const Skin::Spot spot = skin.closest(goal, goal, far + deep, touch_.inwards ? Vec3(-way) : way);
-    touch_.active = spot.triangle >= 0 && spot.distance < deep + def_.hole;
-    if (!touch_.active) return;
-    touch_.face = skin.face(spot.triangle);
+    const bool found = spot.triangle >= 0 && spot.distance < deep + def_.hole;
+    touch_.face = found ? skin.face(spot.triangle) : -1;
+    if (!found) return false;
     touch_.weights = skin.weights_in_face(touch_.face, spot.at);
-    touch_.active = (touch_.tip - spot.at).dot(way_of_touch(skin)) > 0;
+    return (touch_.tip - spot.at).dot(way_of_touch(skin)) > 0;
+}
+
+// The same edge may slip off a tip several times: told once within a wall's thickness.
+void Bites::slide_touch(const Skin& skin) {
+    touch_.active = stays(skin);
+    const bool on_first_side = touch_.face >= 0 && skin.side_of_face(touch_.face) == touch_.first_side;
+    if (touch_.active || on_first_side || !touch_.inwards || (touch_.tip - slipped_at_).norm() < def_.wall) return;
+    slipped_at_ = touch_.tip;
+    events_.push_back({BiteEvent::slipped, -1, touch_.force});
 }
 
 // Back from the tip along the wire to where it comes through a skin, at most to the last hole: for walls that moved onto it.

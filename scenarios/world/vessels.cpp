@@ -16,6 +16,7 @@ static const char* name_of(tissue::BiteEvent::Kind kind) {
         case tissue::BiteEvent::withdrawn: return "withdrawn";
         case tissue::BiteEvent::drawn: return "drawn";
         case tissue::BiteEvent::torn: return "torn";
+        case tissue::BiteEvent::slipped: return "slipped";
     }
     return "";
 }
