@@ -23,8 +23,9 @@ Camera default_view();
 /// aspect: the picture's width over its height. The points must not all be one.
 Camera view_of(const std::vector<Vec3>& points, double aspect);
 
-/// A ball filling the height of the picture, from where default_view() looks. radius > 0 [m].
-Camera close_view(const Vec3& point, double radius);
+/// A ball filling the height of the picture, from where default_view() looks, or from the mirror image of that in the plane across `outwards` where it would
+/// look the other way: what lies under a vessel is seen from below. outwards: unit, or zero for any side; radius > 0 [m].
+Camera close_view(const Vec3& point, double radius, const Vec3& outwards);
 
 struct ToolPicture {
     instruments::Kind kind = instruments::Kind::forceps;

@@ -1,6 +1,8 @@
 #include "app/play/output.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "app/draw/picture.hpp"
 #include "app/files.hpp"
@@ -53,12 +55,27 @@ std::vector<Vec3> field_of(const Session& session, const Snapshot& snapshot) {
     return points;
 }
 
+// From the vessel that is looked at: unit, or zero about its middle (a quarter of what is seen), where one way to look is as good as another.
+Vec3 outwards(const Snapshot& snapshot) {
+    const auto& [centre, radius] = *snapshot.close_up;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const assets::Mesh& mesh : snapshot.vessels)
+        for (const Vec3& vertex : mesh.vertices) nearest = std::min(nearest, (vertex - centre).norm());
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (const assets::Mesh& mesh : snapshot.vessels)
+        for (const Vec3& vertex : mesh.vertices)
+            if ((vertex - centre).norm() < nearest + 2 * radius) sum += vertex, ++count;
+    const Vec3 way = count > 0 ? Vec3(centre - sum / count) : Vec3(Vec3::Zero());
+    return way.norm() > radius / 4 ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
+}
+
 }  // namespace
 
 std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot) {
     static draw::Canvas canvas;
     draw::Picture picture = scene_picture(session, snapshot);
-    picture.camera = snapshot.close_up ? draw::close_view(snapshot.close_up->centre, snapshot.close_up->radius)
+    picture.camera = snapshot.close_up ? draw::close_view(snapshot.close_up->centre, snapshot.close_up->radius, outwards(snapshot))
                                    : draw::view_of(field_of(session, snapshot), aspect_of(picture));
     return draw::encode_png(draw::render(canvas, picture));
 }

@@ -176,6 +176,13 @@ bool is_tied(const Goal& goal, const Name& name) {
     return is_asked(goal, name) && (goal.throws == 0 || throw_count(name.throws) == goal.throws);
 }
 
+std::string found_in(const std::vector<world::TieMeasure>& ties) {
+    std::string found;
+    for (const world::TieMeasure& tie : ties)
+        found += (found.empty() ? "" : ", ") + as_found(tie.knot) + (tie.knot.throws.empty() ? "" : " (" + tie.knot.throws + ")");
+    return found.empty() ? "No thread is tied." : "The threads that are tied: " + found + ".";
+}
+
 // Stitches that are each tied.
 void score_ties(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     double tied = 0, cut = 0;
@@ -185,11 +192,11 @@ void score_ties(const Goal& goal, const world::Measures& measures, std::vector<S
         cut += is && both;
     }
     const Band asked{static_cast<double>(goal.times), static_cast<double>(goal.times)};
-    const auto count = [&](const char* name, const std::string& title, double found, const char* too_few) {
+    const auto count = [&](const char* name, const std::string& title, double found, const std::string& too_few) {
         items.push_back(judged({name, title, "", found, 0, measures.duration_s, "There are more than asked.", too_few}, asked));
     };
     const std::string knots = goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
-    count("knots", "Pieces of thread tied in " + knots, tied, "Some thread is not tied, or another way: see the events.");
+    count("knots", "Pieces of thread tied in " + knots, tied, found_in(measures.ties));
     if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", cut, "Tails are too short or too long: cut each stitch alike.");
 }
 

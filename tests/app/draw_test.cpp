@@ -72,6 +72,19 @@ Vec3 random_point(std::mt19937& random, double size) {
 }  // namespace
 
 // A picture whose thread is beside where the simulation has it, or of another thickness, proves nothing about a knot.
+// A knot under a vessel would be seen from within it.
+TEST(Draw, ACloseViewIsFromOutside) {
+    const Vec3 point(1e-3, 2e-3, -3e-3);
+    const auto eye_from = [&](const Vec3& outwards) { return Vec3(close_view(point, 2e-3, outwards).position - point); };
+    const Vec3 usual = eye_from(Vec3::Zero());
+    EXPECT_EQ(eye_from(Vec3::UnitZ()), usual);
+    for (const Vec3& outwards : {Vec3(-Vec3::UnitZ()), Vec3(Vec3::UnitY()), Vec3(0.2, 0.6, -0.5).normalized()}) {
+        EXPECT_NEAR(eye_from(outwards).dot(outwards), -usual.dot(outwards), 1e-15) << "a rounding of 8 mm";
+        EXPECT_GT(eye_from(outwards).dot(outwards), 0);
+        EXPECT_NEAR(eye_from(outwards).norm(), usual.norm(), 1e-15);
+    }
+}
+
 TEST(Draw, ThreadIsWhereTheCameraProjectsItAndAsThick) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

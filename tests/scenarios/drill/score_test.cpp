@@ -151,11 +151,14 @@ TEST(Score, EveryOneOfSeveralKnotsIsJudged) {
     m.ties[2].knot.surgical = "granny", m.ties[2].knot.throws = "1x1";
     EXPECT_EQ(item("knots", m, text).value, "2");
     EXPECT_FALSE(item("knots", m, text).passed);
+    EXPECT_EQ(item("knots", m, text).why, "The threads that are tied: square (1=1), square (1=1), granny (1x1).");
     m.ties[2] = {m.knot, {4, 4}};
     m.ties[2].knot.throws = "1=1=1";
     EXPECT_EQ(item("knots", m, text).value, "2") << "two throws were asked";
     m.ties = {tied, tied, tied, tied};
     EXPECT_FALSE(item("knots", m, text).passed);
+    m.ties.clear();
+    EXPECT_EQ(item("knots", m, text).why, "No thread is tied.");
 }
 
 // Each measured item fails on its own and leaves the others alone: there is no sum in which one hides another.
