@@ -70,17 +70,23 @@ void MovingWall::move_holes(std::span<const sim::thread::SurfaceGap> gaps) {
         if (hole_[c] >= 0) ways_[c] *= share_[at(hole_[c])];
 }
 
-// What of a way comes nearer by more than it may is left out; the rest slides.
+// What of a way comes nearer by more than it may is left out; the rest slides. That is the nearest way to the one asked for that no strand forbids, found by
+// Hildreth's method: what each strand took is remembered and given back where others take it. Without that, strands that look all ways, as in a knot, turn a
+// corner's way round one after the other, and it runs off.
 void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
-    constexpr int sweeps = 3;  // a corner between links that look different ways; what is left after them shortens its way
+    constexpr int sweeps = 6;  // what is left after them shortens its way
+    taken_.assign(3 * gaps.size(), 0);
     for (int sweep = 0; sweep <= sweeps; ++sweep)
-        for (const auto& gap : gaps)
-            for (const int corner : corners_[at(gap.triangle)]) {
-                Vec3& way = ways_[at(corner)];
-                const double nearer = way.dot(gap.normal), most = may(gap.gap);
-                if (nearer <= most || hole_[at(corner)] >= 0) continue;
-                if (sweep < sweeps) way -= (nearer - most) * gap.normal;
-                else way *= most / nearer;
+        for (std::size_t g = 0; g < gaps.size(); ++g)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t corner = at(corners_[at(gaps[g].triangle)][k]);
+                if (hole_[corner] >= 0) continue;
+                Vec3& way = ways_[corner];
+                const double nearer = way.dot(gaps[g].normal), most = may(gaps[g].gap);
+                double& taken = taken_[3 * g + k];
+                const double more = std::max(-taken, nearer - most);
+                if (sweep < sweeps) way -= more * gaps[g].normal, taken += more;
+                else if (nearer > most) way *= most / nearer;
             }
 }
 
@@ -97,6 +103,7 @@ double MovingWall::follow(std::span<const Triangle> targets, std::span<const dou
     move_rest(gaps);
     double most = 0;
     for (std::size_t c = 0; c < places_.size(); ++c) {
+        if (ways_[c].dot(targets_[c] - places_[c]) <= 0) continue;  // turned round still
         const double far = ways_[c].norm(), most_here = may(room_[c]), share = far > most_here ? most_here / far : 1;
         places_[c] += share * ways_[c];
         most = std::max(most, share * far);

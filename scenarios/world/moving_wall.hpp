@@ -47,6 +47,7 @@ class MovingWall {
     std::vector<sim::geometry::Vec3> ways_;         // of each in this tick [m]
     std::vector<int> hole_;                         // of each
     std::vector<double> share_;                     // of their ways that corners about a hole make
+    std::vector<double> taken_;                     // of the ways of each gap's corners, along its normal [m]
     std::vector<Triangle> moved_;
 };
 

@@ -107,11 +107,23 @@ TEST_P(MovingWallTest, StopsAtATautOne) {
     }
     for (const Vec3& node : std::span(scene.thread.nodes()).subspan(10, 41))  // round the thread's ends it may come
         EXPECT_FALSE(scene.is_over(node)) << node.x() / mm;
-    EXPECT_GT(scene.top(), 1 * mm);  // beside the thread it goes on
+    for (const int beside : {2, 6}) EXPECT_GT(scene.wall.tree()[(4 * 8 + beside) * 2].a.z(), 1 * mm);  // two squares from the thread it goes on
     EXPECT_EQ(scene.passes, 0);
     double up = 0;  // the wall pushes, so the thread pushes back
     for (const auto& force : scene.thread.surface_forces()) up += force.force.z();
     EXPECT_LE(up, 0);
+}
+
+// Each strand of a knot turns a corner's way a little more, until it looks back: a corner under one ran metres away.
+TEST(MovingWall, DoesNotTurnBack) {
+    MovingWall wall(plate(0), 0.1 * mm);
+    const std::vector<double> rooms(static_cast<std::size_t>(wall.size()), 1);
+    std::vector<sim::thread::SurfaceGap> gaps;
+    constexpr double degree = EIGEN_PI / 180, no_room = 0.06 * mm;
+    for (int turn = 170; turn > -10; turn -= 10)
+        for (int t = 0; t < wall.size(); ++t) gaps.push_back({t, Vec3(std::cos(turn * degree), 0, std::sin(turn * degree)), no_room});
+    wall.follow(plate(0.1 * mm), rooms, gaps);
+    for (int t = 0; t < wall.size(); ++t) EXPECT_GE(wall.tree()[t].a.z(), plate(0)[static_cast<std::size_t>(t)].a.z());
 }
 
 // Some way behind, one of its triangles is split and another one taken out: what is left of what is shown is where it was, and goes on from there.
