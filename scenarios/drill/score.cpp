@@ -183,6 +183,12 @@ std::string found_in(const std::vector<world::TieMeasure>& ties) {
     return found.empty() ? "No thread is tied." : "The threads that are tied: " + found + ".";
 }
 
+std::string tails_in(const std::vector<world::TieMeasure>& ties) {
+    std::string found;
+    for (const world::TieMeasure& tie : ties) found += (found.empty() ? "" : ", ") + fixed(tie.tail_mm[0], 2) + " and " + fixed(tie.tail_mm[1], 2);
+    return found.empty() ? no_knot_to_judge : "Tails are " + found + " mm: cut each stitch alike.";
+}
+
 // Stitches that are each tied.
 void score_ties(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     double tied = 0, cut = 0;
@@ -197,7 +203,7 @@ void score_ties(const Goal& goal, const world::Measures& measures, std::vector<S
     };
     const std::string knots = goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
     count("knots", "Pieces of thread tied in " + knots, tied, found_in(measures.ties));
-    if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", cut, "Tails are too short or too long: cut each stitch alike.");
+    if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", cut, tails_in(measures.ties));
 }
 
 void score_around(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {

@@ -148,6 +148,7 @@ TEST(Score, EveryOneOfSeveralKnotsIsJudged) {
     EXPECT_TRUE(item("knots", m, text).passed);
     EXPECT_EQ(item("tails", m, text).value, "2");
     EXPECT_FALSE(item("tails", m, text).passed);
+    EXPECT_EQ(item("tails", m, text).why, "Tails are 3.00 and 8.00, 8.10 and 4.00, 3.00 and 8.00 mm: cut each stitch alike.");
     m.ties[2].knot.surgical = "granny", m.ties[2].knot.throws = "1x1";
     EXPECT_EQ(item("knots", m, text).value, "2");
     EXPECT_FALSE(item("knots", m, text).passed);
