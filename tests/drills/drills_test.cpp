@@ -196,4 +196,22 @@ TEST(Drills, ARunningSutureGoesRoundTheVessel) {
     EXPECT_TRUE(fs::exists(scratch("end-to-end-running") / "end-close.png")) << "where no knot is, the bites are looked at";
 }
 
+// Three stay sutures, each with a thread of its own that lies ready: all of it takes ten minutes. Here the first needle is fetched, and its thread's other end
+// by the assistant, and taken through both ends beside the two that wait; under the sanitizers it is fetched.
+TEST(Drills, TheFirstOfThreeThreadsIsTakenFromWhereItLies) {
+    const Played played = play("stay-sutures", "--input " + motion_until("stay-sutures", sanitized ? 6.2 : 13.2).string());
+    EXPECT_EQ(played.exit, 0);
+    EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
+    std::map<std::string, int> count;
+    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    EXPECT_EQ(count["needle_grasp"], 1);
+    EXPECT_EQ(count["grasp"], 1) << "the assistant does not hold the tail";
+    for (const char* kind : {"pierced", "through"}) EXPECT_EQ(count[kind], sanitized ? 0 : 2) << kind;
+    EXPECT_EQ(count["slipped"], 0);
+    for (const auto& item : played.result["items"])
+        if (item["name"] == "knots") {
+            EXPECT_EQ(item["value"], "0") << "of the three that are asked for";
+        }
+}
+
 }  // namespace
