@@ -183,27 +183,40 @@ std::string found_in(const std::vector<world::TieMeasure>& ties) {
     return found.empty() ? "No thread is tied." : "The threads that are tied: " + found + ".";
 }
 
-std::string tails_in(const std::vector<world::TieMeasure>& ties) {
-    std::string found;
-    for (const world::TieMeasure& tie : ties) found += (found.empty() ? "" : ", ") + fixed(tie.tail_mm[0], 2) + " and " + fixed(tie.tail_mm[1], 2);
-    return found.empty() ? no_knot_to_judge : "Tails are " + found + " mm: cut each stitch alike.";
+struct Stitches {
+    double tied = 0, cut = 0;
+    std::string wrong_tails;
+};
+
+Stitches stitches_of(const Goal& goal, const std::vector<world::TieMeasure>& ties) {
+    Stitches found;
+    for (const world::TieMeasure& tie : ties) {
+        if (!is_tied(goal, tie.knot)) continue;
+        ++found.tied;
+        if (!goal.tails_mm) continue;
+        const double one = tie.tail_mm[0], other = tie.tail_mm[1];
+        if (goal.tails_mm->holds(one) && goal.tails_mm->holds(other)) ++found.cut;
+        else found.wrong_tails += (found.wrong_tails.empty() ? "" : ", ") + fixed(one, 2) + " and " + fixed(other, 2);
+    }
+    return found;
+}
+
+std::string why_not_cut(const Stitches& found) {
+    if (found.tied == 0) return no_knot_to_judge;
+    if (found.wrong_tails.empty()) return "Knots are missing; the tails of those that are tied are right.";
+    return "Cut each stitch alike: tails of " + found.wrong_tails + " mm.";
 }
 
 // Stitches that are each tied.
 void score_ties(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
-    double tied = 0, cut = 0;
-    for (const world::TieMeasure& tie : measures.ties) {
-        const bool is = is_tied(goal, tie.knot), both = goal.tails_mm && goal.tails_mm->holds(tie.tail_mm[0]) && goal.tails_mm->holds(tie.tail_mm[1]);
-        tied += is;
-        cut += is && both;
-    }
+    const Stitches stitches = stitches_of(goal, measures.ties);
     const Band asked{static_cast<double>(goal.times), static_cast<double>(goal.times)};
     const auto count = [&](const char* name, const std::string& title, double found, const std::string& too_few) {
         items.push_back(judged({name, title, "", found, 0, measures.duration_s, "There are more than asked.", too_few}, asked));
     };
     const std::string knots = goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
-    count("knots", "Pieces of thread tied in " + knots, tied, found_in(measures.ties));
-    if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", cut, tails_in(measures.ties));
+    count("knots", "Pieces of thread tied in " + knots, stitches.tied, found_in(measures.ties));
+    if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", stitches.cut, why_not_cut(stitches));
 }
 
 void score_around(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {

@@ -24,16 +24,12 @@ std::vector<Reading> views_of(const std::vector<Vec3>& strand, Work& work) {
     return all;
 }
 
-bool shows(const Reading& view, const Identity& whole) {
-    const auto type = view.type(0, view.passages());
-    return type && *type == whole;
-}
-
 std::vector<Reading> good_ones(std::vector<Reading> views, const Identity& whole, std::size_t wanted) {
     std::vector<Reading> good;
     for (Reading& reading : views) {
         if (good.size() == wanted) break;
-        if (shows(reading, whole)) good.push_back(std::move(reading));
+        const auto type = reading.type(0, reading.passages());
+        if (type && *type == whole) good.push_back(std::move(reading));
     }
     return good;
 }

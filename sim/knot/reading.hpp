@@ -33,9 +33,6 @@ class Reading {
 /// The strand from several sides, those that show the fewest crossings first. `work` must outlive them.
 std::vector<Reading> views_of(const std::vector<Vec3>& strand, Work& work);
 
-/// Whether the strand has its true type from this side.
-bool shows(const Reading& view, const Identity& whole);
-
 /// Those of the views in which the whole strand has its true type, as many as are wanted.
 std::vector<Reading> good_ones(std::vector<Reading> views, const Identity& whole, std::size_t wanted);
 

@@ -155,17 +155,14 @@ std::vector<Throw> throws_of(const std::vector<Factor>& factors) {
     return throws;
 }
 
-std::optional<std::vector<Throw>> in_order(const std::vector<Throw>& throws, const std::vector<Reading>& views, const Identity& whole) {
+std::optional<std::vector<Throw>> in_order(const std::vector<Throw>& throws, std::vector<Reading> views, const Identity& whole) {
     for (const Reading& view : views)
         if (auto plain = throws_within_each_other(view); plain && are_the_same(*plain, throws)) return plain;
-    bool is_seen = false;
-    for (const Reading& view : views) {
-        if (!shows(view, whole)) continue;
-        if (!is_seen && one_after_the_other(view)) return std::nullopt;
-        is_seen = true;
+    const std::size_t all = views.size();
+    const std::vector<Reading> good = good_ones(std::move(views), whole, all);
+    if (good.empty() || one_after_the_other(good.front())) return std::nullopt;
+    for (const Reading& view : good)
         if (auto found = throws_in_order(view, whole.factors)) return found;
-    }
-    if (!is_seen) return std::nullopt;
     const bool order_matters = throws.size() > 2 || throws[0].turns != throws[1].turns;
     return order_matters ? std::nullopt : std::optional(throws);
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -36,6 +37,18 @@ Played play(const std::string& drill, const std::string& options = "") {
     const int exit = run("run " CARREL_SOURCE "/scenarios/drills/" + drill + ".json --json --record " +
                          (scratch(drill) / "session.carrel").string() + " " + options + " > " + out.string());
     return {exit, nlohmann::json::parse(std::ifstream(out), nullptr, false)};
+}
+
+std::map<std::string, int> events_of(const Played& played) {
+    std::map<std::string, int> count;
+    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    return count;
+}
+
+std::string value_of(const Played& played, const std::string& name) {
+    for (const auto& item : played.result["items"])
+        if (item["name"] == name) return item["value"];
+    return "no item " + name;
 }
 
 // What every drill must keep to whatever is tied: a thread that passes through something, stretches or jumps its bound
@@ -156,8 +169,7 @@ TEST(Drills, ASingleBiteIsTakenAndReplayed) {
     if (!sanitized) {
         EXPECT_EQ(played.result["state_hash"], "9238a17811356d0b");
     }
-    std::map<std::string, int> count;
-    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    auto count = events_of(played);
     for (const char* kind : {"pierced", "through"}) EXPECT_EQ(count[kind], 2) << kind;
     for (const char* kind : {"drawn", "needle_grasp"}) EXPECT_EQ(count[kind], sanitized ? kind[0] == 'n' : 2) << kind;
     EXPECT_EQ(count["torn"] + count["withdrawn"] + count["back_in"], 0);
@@ -172,14 +184,10 @@ TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
     EXPECT_EQ(played.exit, 0);
     EXPECT_EQ(played.result["surgical"], "square");
     EXPECT_EQ(played.result["passed"], true);
-    std::map<std::string, int> count;
-    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    auto count = events_of(played);
     for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], 2) << kind;
     EXPECT_GE(count["cut"], 2) << "on either side, and what lies along";
-    for (const auto& item : played.result["items"])
-        if (item["name"] == "gap") {
-            EXPECT_LT(std::stod(item["value"].get<std::string>()), 0.3) << "of 3 mm: the ends do not meet";
-        }
+    EXPECT_LT(std::stod(value_of(played, "gap")), 0.3) << "of 3 mm: the ends do not meet";
     EXPECT_EQ(count["needle_grasp"], 4);
     EXPECT_EQ(count["torn"] + count["break"], 0);
 }
@@ -189,8 +197,7 @@ TEST(Drills, ARunningSutureGoesRoundTheVessel) {
     const double until = sanitized ? 2.5 : 40;  // under the sanitizers the needle through the first wall
     const Played played = play("end-to-end-running", "--input " + motion_until("end-to-end-running", until).string() + " --out " + scratch("end-to-end-running").string());
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
-    std::map<std::string, int> count;
-    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    auto count = events_of(played);
     for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], sanitized ? kind[0] != 'd' : 4) << kind;
     EXPECT_EQ(count["torn"] + count["break"] + count["withdrawn"] + count["back_in"], 0);
     EXPECT_TRUE(fs::exists(scratch("end-to-end-running") / "end-close.png")) << "where no knot is, the bites are looked at";
@@ -202,16 +209,12 @@ TEST(Drills, TheFirstOfThreeThreadsIsTakenFromWhereItLies) {
     const Played played = play("stay-sutures", "--input " + motion_until("stay-sutures", sanitized ? 6.2 : 13.2).string());
     EXPECT_EQ(played.exit, 0);
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
-    std::map<std::string, int> count;
-    for (const auto& event : played.result["events"]) ++count[event["kind"].get<std::string>()];
+    auto count = events_of(played);
     EXPECT_EQ(count["needle_grasp"], 1);
     EXPECT_EQ(count["grasp"], 1) << "the assistant does not hold the tail";
     for (const char* kind : {"pierced", "through"}) EXPECT_EQ(count[kind], sanitized ? 0 : 2) << kind;
     EXPECT_EQ(count["slipped"], 0);
-    for (const auto& item : played.result["items"])
-        if (item["name"] == "knots") {
-            EXPECT_EQ(item["value"], "0") << "of the three that are asked for";
-        }
+    EXPECT_EQ(value_of(played, "knots"), "0") << "of the three that are asked for";
 }
 
 }  // namespace

@@ -148,11 +148,14 @@ TEST(Score, EveryOneOfSeveralKnotsIsJudged) {
     EXPECT_TRUE(item("knots", m, text).passed);
     EXPECT_EQ(item("tails", m, text).value, "2");
     EXPECT_FALSE(item("tails", m, text).passed);
-    EXPECT_EQ(item("tails", m, text).why, "Tails are 3.00 and 8.00, 8.10 and 4.00, 3.00 and 8.00 mm: cut each stitch alike.");
+    EXPECT_EQ(item("tails", m, text).why, "Cut each stitch alike: tails of 8.10 and 4.00 mm.");
     m.ties[2].knot.surgical = "granny", m.ties[2].knot.throws = "1x1";
     EXPECT_EQ(item("knots", m, text).value, "2");
     EXPECT_FALSE(item("knots", m, text).passed);
     EXPECT_EQ(item("knots", m, text).why, "The threads that are tied: square (1=1), square (1=1), granny (1x1).");
+    m.ties[1].tail_mm = {3, 8};
+    EXPECT_EQ(item("tails", m, text).why, "Knots are missing; the tails of those that are tied are right.");
+    m.ties[1].tail_mm = {8.1, 4};
     m.ties[2] = {m.knot, {4, 4}};
     m.ties[2].knot.throws = "1=1=1";
     EXPECT_EQ(item("knots", m, text).value, "2") << "two throws were asked";
@@ -160,6 +163,7 @@ TEST(Score, EveryOneOfSeveralKnotsIsJudged) {
     EXPECT_FALSE(item("knots", m, text).passed);
     m.ties.clear();
     EXPECT_EQ(item("knots", m, text).why, "No thread is tied.");
+    EXPECT_EQ(item("tails", m, text).why, "There is no knot to judge.");
 }
 
 // Each measured item fails on its own and leaves the others alone: there is no sum in which one hides another.
