@@ -67,6 +67,9 @@ int run_command(const RunOptions& options) {
             throw InputFault("--thread: error: expected ftl or elastic, found " + options.thread);
         if (!options.record.empty() && options.thread != drill.world.thread.model)
             throw InputFault("--thread " + options.thread + ": error: a recording is of the drill as it is, expected \"model\": \"" + options.thread + "\" in " + options.drill);
+        const auto feels = [](const scenarios::world::InstrumentDef& of) { return std::isfinite(of.pull); };
+        if (const auto& all = drill.world.instruments; options.thread == "ftl" && std::any_of(all.begin(), all.end(), feels))
+            throw InputFault("--thread ftl: error: a thread moved by ftl has no forces to feel, expected no \"pull_N\" in " + options.drill);
         if (options.thread == "ftl" && (drill.world.thread.weighs || drill.world.thread.yield_strain > 0))
             throw InputFault("--thread ftl: error: a thread moved by ftl has neither weight nor plastic set, expected both off in " + options.drill);
         drill.world.thread.model = options.thread;

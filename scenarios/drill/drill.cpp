@@ -84,6 +84,10 @@ class Reader {
         for (const json& entry : filled_["instruments"]) {
             check_new(entry["name"], "/instruments/" + std::to_string(instruments.size()) + "/name", instruments);
             instruments.push_back({entry["name"], kind_named(entry["kind"])});
+            if (!entry.contains("pull_N")) continue;
+            if (filled_["thread"]["model"] != "elastic")
+                document_.fail("/instruments/" + std::to_string(instruments.size() - 1) + "/pull_N", "a thread moved by ftl has no forces to feel, expected none, or \"model\": \"elastic\" in the thread");
+            instruments.back().pull = entry["pull_N"];
         }
     }
 

@@ -149,7 +149,8 @@ Shape vessel() {
 Shape instrument() {
     return group("A tool.", {{"name", name("As in motion files."), true},
                              {"kind", choice("What it is. Scissors cut what they close on. An approximator brings the vessels together that it holds, in its x, by closing; it grasps nothing else.",
-                                             {"forceps", "needle_holder", "scissors", "approximator"}), true}});
+                                             {"forceps", "needle_holder", "scissors", "approximator"}), true},
+                             {"pull_N", quantity("How hard it pulls at an elastic thread: to what pulls harder it gives way, as a hand does that feels it. Default: as hard as the thread bears.", 0.01, 100, "N")}});
 }
 
 Shape effects() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ struct VesselDef {
 struct InstrumentDef {
     std::string name;  ///< "left", "right", ... as in motion files.
     instruments::Kind kind = instruments::Kind::forceps;
+    double pull = std::numeric_limits<double>::infinity();  ///< It gives way to elastic thread that pulls at it harder [N]: a hand feels that.
 };
 
 /// Another thread of the same kind, with a needle of its own.

@@ -159,12 +159,10 @@ Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
 // it leaves the jaws and how it goes on: one that is bent back over them would be pulled tighter by leaving them straight.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
-    const int last = static_cast<int>(thread_.tension().size()) - 1, inner = ahead ? grasp.first + grasp.count - 1 : grasp.first;
-    const int outwards = ahead ? 1 : -1, link = ahead ? inner : inner - 1;
-    const double excess = pull_on(grasp) - tool.shape.grip_force, borne = at(thread_.tension(), link) - excess;
-    double tight = 0;
-    for (int k = link; k >= 0 && k <= last && at(thread_.tension(), k) > borne; k += outwards) tight += at(thread_.rest_lengths(), k);
-    const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * tight;
+    const int inner = ahead ? grasp.first + grasp.count - 1 : grasp.first, outwards = ahead ? 1 : -1, link = ahead ? inner : inner - 1;
+    const double excess = pull_on(grasp) - tool.shape.grip_force;
+    const double length = tight(link, outwards, at(thread_.tension(), link) - excess);
+    const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * length;
     const Vec3 goes = (at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner)).normalized();
     const Vec3 leaves = grasp.count > 1 ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized()) : goes;
     return std::min(slide, thread_.def().radius) * (goes + leaves).normalized();

@@ -181,6 +181,14 @@ class World {
     double tension_before(const Grasp& grasp) const;
     double tension_after(const Grasp& grasp) const;
     double pull_on(const Grasp& grasp) const;
+    /// From the last node that a tool holds to the next, one of them up or down the thread.
+    struct Strand {
+        int inner = -1, outwards = 0;
+        double pull = 0;  ///< [N]
+    };
+    Strand hardest_pulling(int tool) const;
+    double tight(int link, int outwards, double force) const;
+    ToolInput by_feel(int number, ToolInput next) const;
     Vec3 slide_by_lag(const Tool& tool, const Grasp& grasp) const;
     Vec3 slide_by_stretch(const Tool& tool, const Grasp& grasp) const;
     double most_pull() const;

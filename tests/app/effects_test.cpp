@@ -112,4 +112,7 @@ TEST(Effects, FtlDoesNotPlayADrillThatAsksForMore) {
     std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
     text.replace(text.find("{\"gravity\": false}"), 18, "{\"gravity\": true}");
     program::expect_one_line_naming("--thread ftl", program::run({"run", folder.write("drill.json", text), "--thread", "ftl"}));
+    std::string feels = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
+    feels.replace(feels.find("\"forceps\""), 9, "\"forceps\", \"pull_N\": 1");
+    program::expect_one_line_naming("pull_N", program::run({"run", folder.write("feels.json", feels), "--thread", "ftl"}));
 }

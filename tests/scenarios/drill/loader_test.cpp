@@ -111,6 +111,10 @@ TEST(DrillLoader, ReadsEffectsOfAnElasticThread) {
     EXPECT_FALSE(usual.is_in_air);
     EXPECT_TRUE(thread("{\"air\": true}").is_in_air);
     EXPECT_DOUBLE_EQ(thread("{\"plastic_set\": true}").yield_strain, 0.04);
+    std::string feels = elastic("{}");
+    feels.replace(feels.find("\"forceps\""), 9, "\"forceps\", \"pull_N\": 1.2");
+    EXPECT_EQ(parse_drill(feels, "a", "").world.instruments[0].pull, 1.2);
+    EXPECT_EQ(parse_drill(feels, "a", "").world.instruments[1].pull, std::numeric_limits<double>::infinity());
     for (const char* effects : {"{\"gravity\": true, \"inertia\": false, \"plastic_set\": true}", "{\"extension\": false}"}) {
         const Drill drill = parse_drill(elastic(effects), "a", "");
         EXPECT_EQ(parse_drill(drill.filled, "b", "").filled, drill.filled);
@@ -158,6 +162,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "\"10-0\", found \"60\""},
         {with("\"gravity\": false", "\"gravity\": true"),
          "a.json:16:26: error: /effects/gravity: a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread"},
+        {with("\"kind\": \"forceps\"", "\"kind\": \"forceps\", \"pull_N\": 1"),
+         "a.json:13:51: error: /instruments/0/pull_N: a thread moved by ftl has no forces to feel, expected none, or \"model\": \"elastic\" in the thread"},
         {with("\"gravity\": false", "\"twist\": true"),
          "a.json:16:24: error: /effects/twist: this version cannot simulate more, expected false, found true"},
         {elastic("{\"bending\": false}"),

@@ -268,4 +268,37 @@ TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
+// A hand that goes on pulls an elastic thread until it breaks. One that feels it stops at its pull, gives way where the other pulls harder, and is
+// where it would be when the pull is over.
+TEST(Grasp, AToolThatPullsByFeelPullsNoHarderAndGivesWay) {
+    TwoTools scene;
+    scene.def.thread.model = "elastic";
+    const double pull = scene.def.instruments[1].pull = 0.5;
+    World world(scene.def, {}, scene.tools);
+    const auto tick = [&] { world.tick(scene.tools); };
+    for (int i = 1; i <= 100; ++i) {
+        for (auto& tool : scene.tools) tool.jaw = 1 - 0.01 * i;
+        tick();
+    }
+    const auto tension = [&] { return world.thread_state().tension()[50]; };  // midway
+    const auto lag = [&] { return world.tools()[1].lag(); };
+    auto& right = scene.tools[1].pose.position;
+    constexpr double speed = 10e-6, way = 8e-3;  // [m] a tick, [m]: breaks a thread of 30 mm twice over
+    double most = 0;
+    for (double gone = 0; gone < way; gone += speed) right.x() += speed, tick(), most = std::max(most, tension());
+    EXPECT_NEAR(most, pull, 0.02 * pull);
+    EXPECT_NEAR(tension(), pull, 0.02 * pull) << "it goes on pulling";
+    EXPECT_GT(lag(), way / 2);
+
+    // The other, which feels nothing, draws it along.
+    const double before = world.tools()[1].now.pose.position.x();
+    for (int i = 0; i < 300; ++i) scene.tools[0].pose.position.x() -= speed, tick(), most = std::max(most, tension());
+    EXPECT_NEAR(before - world.tools()[1].now.pose.position.x(), 300 * speed, 10 * speed);
+    EXPECT_LT(most, 1.05 * pull);
+
+    for (double gone = 0; gone < 2 * way; gone += speed) right.x() -= speed, tick();
+    EXPECT_EQ(lag(), 0);
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+}
+
 }  // namespace
