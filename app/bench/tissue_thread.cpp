@@ -43,9 +43,9 @@ double draw(ThreadInTube& scene, bool by_lead, double way, Seen& seen) {
     return static_cast<double>(i) / ticks;
 }
 
-// ln(pull / load) over the angle turned by: the friction, were it Euler and Eytelwein's law. Means of the second half of the way.
-double exponent(int bites, bool is_elastic, double friction, double speed) {
-    constexpr double way = 10e-3;
+}  // namespace
+
+double slides_by(int bites, bool is_elastic, double friction, double speed, double way) {
     constexpr double limp = 0.01;  // of the bending stiffness: the law's rope has none
     ThreadInTube scene({.bites = bites, .is_elastic = is_elastic, .tail = 40e-3, .friction = friction, .bending_share = limp});
     double before = 0, after = 0, turned = 0;
@@ -58,6 +58,8 @@ double exponent(int bites, bool is_elastic, double friction, double speed) {
     }
     return std::log(after / before) / (turned / looks);
 }
+
+namespace {
 
 class Rows {
   public:
@@ -94,12 +96,13 @@ void add_way(Suite& suite, int bites, bool is_elastic, const std::string& id, co
     rows.add("waited", "time taken over 100 mm at 50 mm/s", waited, "ratio");
     rows.add(seen, scene.passes());
     constexpr double friction = 0.15;
-    const double with = exponent(bites, is_elastic, friction, usual), without = exponent(bites, is_elastic, 0, usual);
+    const auto slides = [&](double by, double speed) { return slides_by(bites, is_elastic, by, speed, 10e-3); };
+    const double with = slides(friction, usual), without = slides(0, usual);
     Rows law(suite, id + std::to_string(bites) + "-friction", "limp " + thread + " drawn through " + walls + " at 10 mm/s: ");
     law.add("", "what it slides by for a friction of 0.15, off the law by", 100 * std::abs(with / friction - 1), "%", 15);
     law.add("-none", "the same without friction", without, "coefficient");
     law.add("-alone", "friction's part of it, off the law by", 100 * std::abs((with - without) / friction - 1), "%");
-    if (is_elastic) law.add("-slow", "as the first, but at 2 mm/s", 100 * std::abs(exponent(bites, is_elastic, friction, slow) / friction - 1), "%", 15);
+    if (is_elastic) law.add("-slow", "as the first, but at 2 mm/s", 100 * std::abs(slides(friction, slow) / friction - 1), "%", 15);
 }
 
 // E19.

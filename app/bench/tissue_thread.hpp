@@ -7,4 +7,8 @@ namespace app::bench {
 /// to and fro (E19). Cost: a minute or two; `quick` leaves out ten bites.
 void add_thread_in_tissue(Suite& suite, bool quick, const Progress& progress);
 
+/// What a limp thread slides by as so much of it [m] is drawn through bites (1, 2, 4 ...) at a speed [m/s]: ln(pull / load) over the angle turned by, means
+/// of the second half of the way; `friction`, were it Euler and Eytelwein's law. Cost: a millisecond a tick.
+double slides_by(int bites, bool is_elastic, double friction, double speed, double way);
+
 }  // namespace app::bench

@@ -315,6 +315,9 @@ void measure_gaps(State& state, double way);
 /// What is farther off than where it touches by this has no row [m].
 double closing(const State& state);
 
+/// Cosine of the angle within which rows on a wall say the same (gaps.cpp).
+double same_way_on_wall(const State& state);
+
 /// Whether any row that glides pushes or is about to (glide.cpp).
 bool is_on_steel(const State& state);
 /// As solve_lengths, with the pushes and the friction of steel: one Newton step of them all, O(n).
