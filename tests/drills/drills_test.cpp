@@ -183,6 +183,7 @@ TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
     EXPECT_EQ(played.exit, 0);
     EXPECT_EQ(played.result["surgical"], "square");
+    EXPECT_EQ(value_of(played, "form"), "flat");
     EXPECT_EQ(played.result["passed"], true);
     auto count = events_of(played);
     for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], 2) << kind;
