@@ -176,10 +176,13 @@ bool is_tied(const Goal& goal, const Name& name) {
     return is_asked(goal, name) && (goal.throws == 0 || throw_count(name.throws) == goal.throws);
 }
 
+std::string with_throws(const Name& name) {
+    return as_found(name) + (name.throws.empty() ? "" : " (" + name.throws + ")");
+}
+
 std::string found_in(const std::vector<world::TieMeasure>& ties) {
     std::string found;
-    for (const world::TieMeasure& tie : ties)
-        found += (found.empty() ? "" : ", ") + as_found(tie.knot) + (tie.knot.throws.empty() ? "" : " (" + tie.knot.throws + ")");
+    for (const world::TieMeasure& tie : ties) found += (found.empty() ? "" : ", ") + with_throws(tie.knot);
     return found.empty() ? "No thread is tied." : "The threads that are tied: " + found + ".";
 }
 
@@ -217,6 +220,10 @@ void score_ties(const Goal& goal, const world::Measures& measures, std::vector<S
     const std::string knots = goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
     count("knots", "Pieces of thread tied in " + knots, stitches.tied, found_in(measures.ties));
     if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", stitches.cut, why_not_cut(stitches));
+    int number = 0;  // shown, not judged
+    for (const world::TieMeasure& tie : measures.ties)
+        items.push_back({"tails_" + std::to_string(++number), "Tails of " + with_throws(tie.knot),
+                         fixed(tie.tail_mm[0], 2) + " and " + fixed(tie.tail_mm[1], 2), "mm", "", true, measures.duration_s, ""});
 }
 
 void score_around(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {

@@ -115,7 +115,9 @@ void World::update_grasps() {
         if (!tool.closed && tool.now.jaw < shut_below) {
             tool.closed = true;
             const JawRoom shut(tool.shape, tool.now.jaw);
-            if (!take_needle(number, shut)) take_hold(tool), take_wall(tool, shut);
+            const bool has_needle = take_needle(number, shut);
+            take_hold(tool);  // beside a needle too: what is crushed and not held lets nothing go on
+            if (!has_needle) take_wall(tool, shut);
         } else if (tool.closed && tool.now.jaw > open_above) {
             tool.closed = false;
             for (const Grasp& grasp : tool.grasps) log("release", tool.def.name, grasp.middle());
@@ -161,11 +163,10 @@ Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
     const int inner = ahead ? grasp.first + grasp.count - 1 : grasp.first, outwards = ahead ? 1 : -1, link = ahead ? inner : inner - 1;
     const double excess = pull_on(grasp) - tool.shape.grip_force;
-    const double length = tight(link, outwards, at(thread_.tension(), link) - excess);
-    const double slide = excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * length;
+    const double slide = stretch_by(excess, link, outwards, at(thread_.tension(), link) - excess);
     const Vec3 goes = (at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner)).normalized();
     const Vec3 leaves = grasp.count > 1 ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized()) : goes;
-    return std::min(slide, thread_.def().radius) * (goes + leaves).normalized();
+    return slide * (goes + leaves).normalized();
 }
 
 // Jaws hold up to their grip force. Beyond it the strand slides between them along itself by just so much that the

@@ -3,13 +3,13 @@
 // A hand feels what it pulls, a motion file does not: with InstrumentDef::pull a tool gives way to a strand that pulls at it harder than that.
 namespace scenarios::world {
 
-// Of the strand from this link on, as far as it pulls harder [m].
-double World::tight(int link, int outwards, double force) const {
+// What the strand from this link on, as far as it pulls harder than `least`, is longer by for this much of its pull; a radius at most [m].
+double World::stretch_by(double excess, int link, int outwards, double least) const {
     const int links = static_cast<int>(thread_.tension().size());
     const auto at = [](std::span<const double> values, int k) { return values[static_cast<std::size_t>(k)]; };
     double length = 0;
-    for (int k = link; k >= 0 && k < links && at(thread_.tension(), k) > force; k += outwards) length += at(thread_.rest_lengths(), k);
-    return length;
+    for (int k = link; k >= 0 && k < links && at(thread_.tension(), k) > least; k += outwards) length += at(thread_.rest_lengths(), k);
+    return std::min(excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * length, thread_.def().radius);
 }
 
 // Of all that it holds, which pulls hardest; pulls with nothing where there is none.
@@ -36,11 +36,10 @@ ToolInput World::by_feel(int number, ToolInput next) const {
     if (strand.pull <= feels * tool.def.pull) return next;
     const auto node = [&](int k) -> const Vec3& { return thread_.nodes()[static_cast<std::size_t>(k)]; };
     const int link = strand.outwards > 0 ? strand.inner : strand.inner - 1;
-    const double length = thread_.rest_lengths()[static_cast<std::size_t>(link)];
-    const double stretch = (strand.pull - tool.def.pull) / thread_.def().elastic->axial_stiffness(length) * tight(link, strand.outwards, feels * strand.pull);
+    const double gives = stretch_by(strand.pull - tool.def.pull, link, strand.outwards, feels * strand.pull);
     const Vec3 towards = (node(strand.inner + strand.outwards) - node(strand.inner)).normalized();
     const double goes = (next.pose.position - tool.now.pose.position).dot(towards);
-    next.pose.position += std::max(0.0, std::min(stretch, thread_.def().radius) - goes) * towards;
+    next.pose.position += std::max(0.0, gives - goes) * towards;
     return next;
 }
 

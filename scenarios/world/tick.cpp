@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
 
@@ -51,7 +53,7 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
         if (tool.def.kind == instruments::Kind::scissors) next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
         if (tool.def.kind == instruments::Kind::approximator) next = by_screw(tool, next, def_.tick_s);
-        next = by_feel(static_cast<int>(i), next);
+        if (std::isfinite(tool.def.pull)) next = by_feel(static_cast<int>(i), next);
         const instruments::Advance advance = bench_.advance(static_cast<int>(i), next);
         tool.now = advance.reached;
         tool.stopped = advance.stopped;

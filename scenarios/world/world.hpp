@@ -187,7 +187,7 @@ class World {
         double pull = 0;  ///< [N]
     };
     Strand hardest_pulling(int tool) const;
-    double tight(int link, int outwards, double force) const;
+    double stretch_by(double excess, int link, int outwards, double least) const;
     ToolInput by_feel(int number, ToolInput next) const;
     Vec3 slide_by_lag(const Tool& tool, const Grasp& grasp) const;
     Vec3 slide_by_stretch(const Tool& tool, const Grasp& grasp) const;

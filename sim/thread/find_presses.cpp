@@ -104,11 +104,16 @@ static void add_press(State& state, Row& row) {
     if (before) press_as_before(press, *before);
 }
 
+// Thread goes on beyond either end of its link, so that it can turn there.
+static bool is_inner(const State& state, const Row& row) {
+    return !state.is_first(at(row.link)) && !state.is_last(at(row.link + 1));
+}
+
 // Drag that a polyline lacks about a tool. Its links turn by an angle and touch with their middles: from the balance of its nodes pull grows
 // over a link by (1 + q) / (1 - q) with q = k - k q^2 and k = friction sin(angle) / 2, so as if by friction times the angle's sine over the
 // angle. The inverse of that to the sixth power of the sine, good to 1 % at 60 degrees, beyond which no more is made up for.
 static double for_corners(const State& state, const Row& row) {
-    if (row.against != Against::capsule || row.link == 0 || row.link + 1 == state.links()) return 1;
+    if (row.against != Against::capsule || !is_inner(state, row)) return 1;
     const auto way = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
     const double sine = std::max(0.0, 0.5 * (way(row.link - 1) - way(row.link + 1)).dot(row.normal)), s2 = std::min(sine * sine, 0.75);
     return 1 + s2 * (1.0 / 6 + s2 * (3.0 / 40 + s2 * (15.0 / 336)));
@@ -118,8 +123,7 @@ static double for_corners(const State& state, const Row& row) {
 // times tan(a/2) of both pulls, and not the a/2 that a rope has all round. Good to 1 % for a friction of 0.2, up to a right angle, beyond which no more
 // is taken off.
 static double for_rims(const State& state, const Row& row) {
-    if (row.against != Against::surface || row.link == 0 || row.link + 1 == state.links()) return 1;
-    if (state.is_cut(at(row.link - 1)) || state.is_cut(at(row.link + 1))) return 1;
+    if (row.against != Against::surface || !is_inner(state, row)) return 1;
     const auto way = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
     const Vec3 before = way(row.link - 1), after = way(row.link + 1);
     const double sine = before.cross(after).norm(), cosine = before.dot(after);

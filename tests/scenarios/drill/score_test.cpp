@@ -145,6 +145,7 @@ TEST(Score, EveryOneOfSeveralKnotsIsJudged) {
     EXPECT_EQ(item("knots", m, text).band, "3");
     EXPECT_TRUE(item("tails", m, text).passed);
     m.ties[1].tail_mm = {8.1, 4};
+    EXPECT_EQ(item("tails_2", m, text).value, "8.10 and 4.00");
     EXPECT_TRUE(item("knots", m, text).passed);
     EXPECT_EQ(item("tails", m, text).value, "2");
     EXPECT_FALSE(item("tails", m, text).passed);

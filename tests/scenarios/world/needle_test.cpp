@@ -69,6 +69,22 @@ TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
+// Crushed beside the wire and not held, it stopped the tool, and with it all others.
+TEST(Needle, AStrandBetweenTheSameJawsIsHeldToo) {
+    Scene scene;
+    const Vec3 along = scene.def.needle.tangent(2 * mm), beside = scene.def.needle.at(2 * mm) - 1 * mm * Vec3::UnitY();
+    scene.def.thread.model = "elastic";
+    scene.def.thread.start = {scene.def.needle.tail(), scene.def.needle.tail() - 6 * mm * scene.def.needle.tangent(0), beside - 8 * mm * along, beside + 8 * mm * along};
+    World world(scene.def, {}, scene.tools);
+    for (int t = 0; t < 100; ++t) world.tick(scene.tools), scene.tools[0].jaw -= 0.01;
+    EXPECT_EQ(count(world, "needle_grasp"), 1u);
+    EXPECT_EQ(world.tools()[0].grasps.size(), 1u);
+    scene.tools[0].jaw = 0;
+    for (int t = 0; t < 200; ++t) scene.tools[0].pose.position.x() += 0.02 * mm, world.tick(scene.tools);
+    EXPECT_EQ(world.tools()[0].lag(), 0);
+    EXPECT_EQ(world.measures().pass_throughs, 0u);
+}
+
 TEST(Needle, TellsAtWhatAngleItIsHeld) {
     for (const double aslant : {0.0, 30.0}) {
         Scene scene;
