@@ -175,6 +175,8 @@ class Reader {
         if (!entry.contains("links")) entry["links"] = std::clamp(static_cast<int>(thread.length / (2 * thread.diameter)), fewest, usual);
         thread.links = static_cast<int>(entry["links"].get<double>());
         thread.contacts_per_tick = static_cast<int>(entry["contacts_per_tick"].get<double>());
+        if (thread.contacts_per_tick > 0 && thread.model != "elastic")
+            document_.fail("/thread/contacts_per_tick", "a thread moved by ftl leaves nothing to the next tick, expected 0, or \"model\": \"elastic\" in the thread");
         if (thread.length / thread.links < thread.diameter)
             document_.fail("/thread/links", "links would be shorter than the thread is thick, expected at most " +
                                                 std::to_string(static_cast<int>(thread.length / thread.diameter)));

@@ -162,6 +162,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "\"10-0\", found \"60\""},
         {with("\"gravity\": false", "\"gravity\": true"),
          "a.json:16:26: error: /effects/gravity: a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread"},
+        {with("\"friction\": 0.2", "\"contacts_per_tick\": 50"),
+         "a.json:7:26: error: /thread/contacts_per_tick: a thread moved by ftl leaves nothing to the next tick, expected 0, or \"model\": \"elastic\" in the thread"},
         {with("\"kind\": \"forceps\"", "\"kind\": \"forceps\", \"pull_N\": 1"),
          "a.json:13:51: error: /instruments/0/pull_N: a thread moved by ftl has no forces to feel, expected none, or \"model\": \"elastic\" in the thread"},
         {with("\"gravity\": false", "\"twist\": true"),
