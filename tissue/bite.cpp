@@ -20,9 +20,16 @@ double place_on(const Arc& arc, const Vec3& point, double about) {
     return place + turn * std::round((about - place) / turn);
 }
 
+// The tip is in the wall still when the skin gives way.
+BiteDef with_shallow_dimple(BiteDef def) {
+    constexpr double deepest = 0.6;  // of the wall
+    def.tip_stiffness = std::max(def.tip_stiffness, def.puncture / (deepest * def.wall));
+    return def;
+}
+
 }  // namespace
 
-Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(def), shaft_({.stiffness = def.stiffness}), rest_(rest), outer_(rims(rest, Side::outer)), inner_(rims(rest, Side::inner)) {
+Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(with_shallow_dimple(def)), shaft_({.stiffness = def.stiffness}), rest_(rest), outer_(rims(rest, Side::outer)), inner_(rims(rest, Side::inner)) {
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         if (rest.faces[f].side == Side::cut) cut_.push_back(static_cast<int>(f));
     constexpr std::size_t room = 64;

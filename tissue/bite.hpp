@@ -12,12 +12,13 @@ using sim::geometry::Arc;
 /// How a needle meets a wall. SI.
 struct BiteDef {
     /// Force at which the tip goes through the skin, out of the wall as into it [N]; by tissue and needle. Does not depend on speed. Tapered tips of 6-0 to
-    /// 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds caves in at 5 mN: it needs something held against it, or a sharper needle.
+    /// 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds caves in at 5 mN: it needs something held against it, or a sharper needle. A wall that
+    /// caves in so far that the tip is out on its other side, or that is met so flat that the tip is a wall's thickness beyond, is pierced by less.
     double puncture = 3e-3;
     double friction = 1;           ///< A metre of wire in the wall [N/m]. No source; much more, and a soft free end is drawn along instead of through.
     double stiffness = 500;        ///< Of the wall about the wire, across it, and of what friction holds [N/m].
     /// Of the dimple that the mesh does not resolve [N/m]. A cone of 10 degrees each side goes in deeper still (Sneddon: 2/pi E / (1 - nu^2) d^2 tan 10, 25 N/m
-    /// at 10 mN in 0.1 MPa); stiffer, a quick needle's step of 40 um overshoots the threshold.
+    /// at 10 mN in 0.1 MPa); stiffer, a quick needle's step of 40 um overshoots the threshold. Where the threshold asks for more than 0.6 of the wall it is as stiff as that takes.
     double tip_stiffness = 120;
     double grip = 1;               ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
     double hole = 0.055e-3;        ///< Radius of what is left for the thread, 1.3 times its own [m]: the wall closes about it behind the needle.
@@ -115,7 +116,7 @@ class Bites {
         Vec3 first_normal = Vec3::Zero();
         Vec3 tip = Vec3::Zero();        // of the needle; in the step in which the skin gives way, as far as it does
         double force = 0, gone = 0, gain = 0;  // [N], how far the tip went in a step [m], and how much force that added a metre
-        bool gives_way = false;
+        bool gives_way = false, is_through = false;
     };
     struct Crossing {                   // of the wire and a hole, in the order in which the tip made them
         int bite, hole;
@@ -133,6 +134,7 @@ class Bites {
     int hole_behind_tip(const Skin& skin) const;
     void advance_touch();
     bool stays(const Skin& skin);
+    bool goes_through(const Skin& skin);
     void slide_touch(const Skin& skin);
     Vec3 way_of_touch(const Skin& skin) const;
     Vec3 touch_force(const Skin& skin) const;  // on the wall

@@ -39,10 +39,10 @@ void Bites::advance_touch() {
 
 void Bites::settle_touch(Skin& skin) {
     const Vec3 on_wall = touch_force(skin);
-    const double force = on_wall.norm();
+    const double force = touch_.is_through ? touch_.force : on_wall.norm();
     force_ -= on_wall;
     constexpr double nearly = 0.9;  // more is lacking where the wall gives way instead
-    if (force < def_.puncture && !(touch_.gives_way && force > nearly * def_.puncture)) {
+    if (!touch_.is_through && force < def_.puncture && !(touch_.gives_way && force > nearly * def_.puncture)) {
         if (touch_.gone > 0 && !touch_.gives_way) touch_.gain = std::max(0.0, force - touch_.force) / touch_.gone;
         touch_.force = force;
         return;
@@ -67,9 +67,23 @@ bool Bites::stays(const Skin& skin) {
     return (touch_.tip - spot.at).dot(way_of_touch(skin)) > 0;
 }
 
+// However little it pressed: a wall that gives way, or that is met flat, is through where the tip is out again on the other side, or its thickness beyond a skin.
+bool Bites::goes_through(const Skin& skin) {
+    const Vec3 tip = needle_.tip();
+    const bool is_out = !touch_.active && touch_.inwards && !is_in_wall(rest_.tetrahedra, skin.nodes(), tip);
+    if (touch_.active && (tip - skin.at_face(touch_.face, touch_.weights)).norm() <= def_.wall) return false;
+    const Skin::Spot spot = behind_tip(skin);
+    if (spot.triangle < 0 || (!is_out && (tip - spot.at).norm() <= def_.wall)) return false;
+    const double force = touch_.force;
+    touch_at(skin, spot);
+    touch_.tip = spot.at, touch_.force = force, touch_.is_through = true;
+    return true;
+}
+
 // The same edge may slip off a tip several times: told once within a wall's thickness.
 void Bites::slide_touch(const Skin& skin) {
     touch_.active = stays(skin);
+    if (goes_through(skin)) return;
     const bool on_first_side = touch_.face >= 0 && skin.side_of_face(touch_.face) == touch_.first_side;
     if (touch_.active || on_first_side || !touch_.inwards || (touch_.tip - slipped_at_).norm() < def_.wall) return;
     slipped_at_ = touch_.tip;
