@@ -61,7 +61,9 @@ int replay_command(const ReplayOptions& options) {
     Session session(drill, recording.tick(0));
     const bool scores_asked_for = !options.verify || !options.out.empty() || options.json;
     const auto [compared, difference] = play(session, recording, scores_asked_for);
-    const auto result = session.finish();
+    auto result = session.finish();
+    result.finished = recording.finished;
+    result.passed = result.passed && recording.finished;
     if (!options.out.empty()) write_output(options.out, session, result, {});
     if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
@@ -71,7 +73,7 @@ int replay_command(const ReplayOptions& options) {
                          " of its state hashes belong to its " + std::to_string(recording.ticks()) + " ticks");
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
-                  << " stored hashes equal\n";
+                  << (recording.finished ? " stored hashes equal\n" : " stored hashes equal; it was broken off there, not finished\n");
     return 0;
 }
 

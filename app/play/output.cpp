@@ -103,7 +103,7 @@ void write_output(const std::filesystem::path& dir, const Session& session, cons
 }
 
 std::string score_table(const scenarios::drill::Result& result) {
-    std::string text = result.drill_title + ": " + (result.passed ? "passed" : "not passed") + '\n';
+    std::string text = result.drill_title + ": " + (!result.finished ? "broken off, not finished" : result.passed ? "passed" : "not passed") + '\n';
     for (const auto& item : result.items) {
         char line[200];
         std::snprintf(line, sizeof line, "  %-4s %-38s %12s %-3s %-16s at %6.2f s\n",

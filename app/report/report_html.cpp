@@ -33,7 +33,7 @@ std::string verdict(const Result& result) {
     const auto missed =
         std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.passed; });
     std::string out = "<h1>" + escaped(result.drill_title) + "</h1>\n<p class=\"verdict " +
-                      (result.passed ? "pass\">✓ Passed" : "fail\">✗ Not passed") + "</p>\n";
+                      (!result.finished ? "fail\">✗ Broken off, not finished" : result.passed ? "pass\">✓ Passed" : "fail\">✗ Not passed") + "</p>\n";
     if (missed > 0)
         out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(result.items.size()) +
                " items outside their band.</p>\n";

@@ -44,7 +44,8 @@ json thread(const Result& result) {
 std::string result_json(const Result& result) {
     const scenarios::drill::Percentiles& tick = result.tick_us;
     const json root = {
-        {"drill", result.drill_title},     {"passed", result.passed},
+        {"drill", result.drill_title},     {"finished", result.finished},
+        {"passed", result.passed},
         {"items", items(result)},          {"knot", result.knot},
         {"surgical", result.surgical},     {"throws", result.throws},
         {"thread", thread(result)},        {"tick_us", {{"p50", tick.p50}, {"p99", tick.p99}, {"max", tick.max}}},

@@ -7,6 +7,7 @@
 #include "scenarios/drill/materials.hpp"
 #include "scenarios/drill/needles.hpp"
 #include "scenarios/drill/start_path.hpp"
+#include "scenarios/drill/start_walls.hpp"
 #include "scenarios/drill/tie.hpp"
 
 namespace scenarios::drill {
@@ -143,6 +144,8 @@ class Reader {
                     document_.fail(place + "/tube/wall_mm", "expected less than half of diameter_mm, which is " +
                                                                 shown(tube["diameter_mm"].get<double>()) + " mm");
             }
+            for (const world::VesselDef& before : vessels)
+                if (are_in_each_other(before, vessel)) document_.fail(place + "/centre_mm", "its wall is in that of \"" + before.name + "\", expected the two clear of each other");
             vessels.push_back(vessel);
         }
     }
@@ -226,7 +229,10 @@ class Reader {
         const world::Vec3 towards = direction("towards"), bulge = direction("bulge");
         if (towards.cross(bulge).norm() < 0.01 * towards.norm() * bulge.norm())  // its plane would be unknown to half a degree
             document_.fail(pointer + "bulge", "is along \"towards\", expected a direction across it");
-        return needle_at(needle_named(drill_.world.needle_code), point(entry["tail_mm"]), towards, bulge);
+        const sim::geometry::Arc needle = needle_at(needle_named(drill_.world.needle_code), point(entry["tail_mm"]), towards, bulge);
+        for (const world::VesselDef& vessel : drill_.world.vessels)
+            if (is_in_wall(needle, vessel)) document_.fail(pointer + "tail_mm", "from here the needle is in the wall of \"" + vessel.name + "\", expected to start clear of it");
+        return needle;
     }
 
     // Puts the corners behind what of the path is there already, and checks it all.

@@ -37,6 +37,7 @@ struct Percentiles {
 struct Result {
     std::string drill_title;
     std::vector<std::string> instruments;   ///< Names in order.
+    bool finished = true;                   ///< False: of a recording that was broken off, as by a kill; it has not passed.
     bool passed = false;                    ///< Every goal and every item with a band.
     std::vector<ScoreItem> items;
     std::vector<Sample> samples;

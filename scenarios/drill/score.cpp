@@ -267,8 +267,8 @@ void score_bites(const Drill& drill, const world::Measures& measures, std::vecto
         items.push_back(judged({"bite_angle_" + number, "Bite " + number + of + ", needle to wall", "degrees", bite.to_wall_deg, 0, measures.duration_s, "", ""}, {}));
     }
     if (!drill.bands.bites) return;
-    items.push_back(judged({"bites", "Bites through one whole wall", "", held, 0, measures.duration_s,
-                            "More bites than needed: each weakens the wall.", "Bites are missing, or do not hold: see them one by one."},
+    const char* too_few = measures.bites.empty() ? "No wall was pierced: hold the needle, and follow its curve through each." : "Bites are missing, or do not hold: see them one by one.";
+    items.push_back(judged({"bites", "Bites, each through one whole wall", "", held, 0, measures.duration_s, "More bites than needed: each weakens the wall.", too_few},
                            drill.bands.bites));
 }
 

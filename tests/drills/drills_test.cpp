@@ -176,6 +176,14 @@ TEST(Drills, ASingleBiteIsTakenAndReplayed) {
     expect_replays("single-bite");
 }
 
+TEST(Drills, ABiteThatIsNotTakenIsNotPassed) {
+    const Played played = play("single-bite", "--input " + motion_until("single-bite", 0.1).string());
+    EXPECT_EQ(played.exit, 0);
+    EXPECT_EQ(value_of(played, "bites"), "0");
+    EXPECT_EQ(played.result["finished"], true);
+    EXPECT_EQ(played.result["passed"], false);
+}
+
 // Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; its beginning is single-bite's, which the sanitizers see.
 TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
     if (sanitized) GTEST_SKIP();

@@ -74,6 +74,17 @@ std::string needle(const std::string& towards, const std::string& bulge) {
     return text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
 }
 
+// Another vessel of 4 mm across it, so far aside.
+std::string beside_carotid(const std::string& aside_mm) {
+    return with(R"("length_mm": 30}})", R"("length_mm": 30}}, {"name": "vein", "axis": [0.6, 0, 0.8], "centre_mm": [2, )" + aside_mm + R"(, 1], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 20}})");
+}
+
+TEST(DrillLoader, VesselsMayLieSideBySideAndInALumen) {
+    EXPECT_EQ(parse_drill(beside_carotid("4.1"), "a", "").world.vessels.size(), 2u);
+    const std::string within = with(R"("length_mm": 30}})", R"("length_mm": 30}}, {"name": "graft", "tube": {"diameter_mm": 2.7, "wall_mm": 0.3, "length_mm": 20}})");
+    EXPECT_EQ(parse_drill(within, "a", "").world.vessels.size(), 2u);
+}
+
 // Of links that it does not name a short thread has no more than it has room for.
 TEST(DrillLoader, AShortThreadHasFewerLinks) {
     const auto links = [](const std::string& length_mm) { return parse_drill(with("150", length_mm), "a", "").world.thread.links; };
@@ -176,6 +187,9 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:16:25: error: /effects/tissue: expected \"rigid\" or \"elastic\", found \"jelly\""},
         {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 1, 0]})"),
          "a.json:7:15: error: /thread/needle: a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels"},
+        {needle("[0, 0, -1]", "[0, 1, 0]"), "a.json:7:43: error: /thread/needle/tail_mm: from here the needle is in the wall of \"carotid\", expected to start clear of it"},
+        {beside_carotid("3.9"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
+        {beside_carotid("0.5"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
         {needle("[0, 0, 0]", "[0, 0, 1]"), "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
         {spare("60", with("\"friction\": 0.2", "\"links\": 300")),
          "a.json:6:15: error: /thread/spares: they would have needles like the first thread, which has none, expected \"needle\" beside them"},
