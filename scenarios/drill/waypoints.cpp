@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "scenarios/drill/file.hpp"
+#include "scenarios/drill/shape.hpp"
 
 namespace scenarios::drill {
 
@@ -129,8 +130,8 @@ class Reader {
     }
 
     void expect(const char* keyword) {
-        const std::string found = word(keyword);
-        if (found != keyword) complain("expected \"" + std::string(keyword) + "\", found \"" + found + "\"");
+        const std::string quoted = "\"" + std::string(keyword) + "\"", found = word(quoted.c_str());
+        if (found != keyword) complain("expected " + quoted + ", found \"" + found + "\"");
     }
 
     double number(const char* what, double low, double high) {
@@ -138,8 +139,7 @@ class Reader {
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
-            complain(std::string(what) + ": expected a number from " + std::to_string(low) + " to " +
-                     std::to_string(high) + ", found \"" + text + "\"");
+            complain(std::string(what) + ": expected a number from " + shown(low) + " to " + shown(high) + ", found \"" + text + "\"");
         return value;
     }
 

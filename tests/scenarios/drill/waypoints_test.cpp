@@ -93,7 +93,8 @@ TEST(Waypoints, SaysWhatIsWrongWithATurn) {
     EXPECT_EQ(said("frame 0 0 0 turned 90 about 0 0 0\n"), "w:3: error: the axis has no direction, expected one component other than 0");
     EXPECT_EQ(said("frame 0 0\n"), "w:3: error: expected origin in mm at the end of the line");
     EXPECT_EQ(said("turn hand 30 around 0 0 1 through 0 0 0 in 1\n"), "w:3: error: expected \"about\", found \"around\"");
-    EXPECT_EQ(said("turn hand 30 about 0 0 1 through 0 0 0 in 0\n").substr(0, 25), "w:3: error: seconds: expe");
+    EXPECT_EQ(said("turn hand 30 about 0 0 1 through 0 0 0 in 0\n"), "w:3: error: seconds: expected a number from 0.001 to 600, found \"0\"");
+    EXPECT_EQ(said("turn hand 30 about 0 0 1 through 0 0 0\n"), "w:3: error: expected \"in\" at the end of the line");
 }
 
 }  // namespace
