@@ -1,6 +1,7 @@
 #include "app/play/recorded.hpp"
 
 #include "app/fault.hpp"
+#include "instruments/bench.hpp"
 
 namespace app {
 
@@ -38,6 +39,15 @@ void check_inputs_fit(const Recording& recording, const Drill& drill, const std:
         refuse(file, "its ticks are not as long as those of the drill in it");
 }
 
+// A later one that is damaged is dropped, and the tool stays; there is no place for it to stay at before the first.
+void check_first_inputs(const Recording& recording, const Drill& drill, const std::string& file) {
+    const auto inputs = recording.tick(0);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto& instrument = drill.world.instruments[i];
+        if (!instruments::usable(inputs[i], instruments::shape_of(instrument.kind))) refuse(file, "the first input of \"" + instrument.name + "\" is damaged, expected a pose and a jaw in numbers");
+    }
+}
+
 void check_meshes(const Recording& recording, const Drill& drill, const std::string& file) {
     const std::vector<Asset> now = assets_of(drill.world);
     for (std::size_t i = 0; i < now.size(); ++i)
@@ -52,6 +62,7 @@ Recorded load_recorded(const std::string& file) {
     if (recording.ticks() == 0) throw InputFault(recording.fault(file).value_or(file + ": error: no tick was recorded"));
     Drill drill = drill_of(recording, file);
     check_inputs_fit(recording, drill, file);
+    check_first_inputs(recording, drill, file);
     check_meshes(recording, drill, file);
     return {std::move(recording), std::move(drill)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenarios/drill/direction.hpp"
 #include "scenarios/drill/json_text.hpp"
 #include "scenarios/drill/keys.hpp"
 #include "scenarios/drill/materials.hpp"
@@ -118,7 +119,7 @@ class Reader {
             vessel.name = entry["name"];
             vessel.centre = point(entry["centre_mm"]);
             vessel.axis = point(entry["axis"]);
-            if (vessel.axis.isZero(0))
+            if (!has_direction(vessel.axis))
                 document_.fail(place + "/axis", "has no direction, expected one component other than 0");
             vessel.axis.normalize();
             vessel.is_soft = filled_["effects"]["tissue"] == "elastic";
@@ -143,6 +144,9 @@ class Reader {
                 if (vessel.wall >= vessel.diameter / 2)
                     document_.fail(place + "/tube/wall_mm", "expected less than half of diameter_mm, which is " +
                                                                 shown(tube["diameter_mm"].get<double>()) + " mm");
+                const double least = vessel.diameter * (0.5 + 0.5 / std::sqrt(2.0));  // as tissue::make_tube() needs
+                if (vessel.is_soft && vessel.cut_angle < 90 && vessel.length <= least)
+                    document_.fail(place + "/tube/length_mm", "too short for a slanted cut, expected above " + shown(0.01 * std::ceil(1e5 * least)) + " mm");
             }
             for (const world::VesselDef& before : vessels)
                 if (are_in_each_other(before, vessel)) document_.fail(place + "/centre_mm", "its wall is in that of \"" + before.name + "\", expected the two clear of each other");
@@ -218,12 +222,14 @@ class Reader {
             document_.fail("/thread/needle", "a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels");
         drill_.world.needle_code = entry["code"];
         drill_.world.needle = needle_at_start(entry, "/thread/needle/");
+        if (const double wire = needle_named(drill_.world.needle_code).wire; drill_.world.thread.diameter > wire)
+            document_.fail("/thread/needle/code", "its wire of " + shown(1e3 * wire) + " mm makes no hole for a thread of " + shown(1e3 * drill_.world.thread.diameter) + " mm, expected a thicker needle or a thinner thread");
     }
 
     sim::geometry::Arc needle_at_start(const json& entry, const std::string& pointer) const {
         const auto direction = [&](const char* key) {
             const world::Vec3 read = point(entry[key]);
-            if (read.isZero(0)) document_.fail(pointer + key, "has no direction, expected one component other than 0");
+            if (!has_direction(read)) document_.fail(pointer + key, "has no direction, expected one component other than 0");
             return read;
         };
         const world::Vec3 towards = direction("towards"), bulge = direction("bulge");

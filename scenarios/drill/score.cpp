@@ -256,7 +256,8 @@ void score_bites(const Drill& drill, const world::Measures& measures, std::vecto
         const world::BiteMeasure& bite = measures.bites[i];
         const std::string number = std::to_string(i + 1), of = ", " + bite.vessel;
         ScoreItem item{"bite_" + number, "Bite " + number + of, bite.from + " to " + (bite.to.empty() ? "nowhere" : bite.to), "", "between outer and inner", true, measures.duration_s, ""};
-        if (bite.to.empty()) item.why = "The needle went into the wall and not through it. Follow its curve until the tip is out.";
+        if (bite.withdrawn) item.why = "The needle was drawn back out of the wall by the way it came. Follow its curve through it.";
+        else if (bite.to.empty()) item.why = "The needle went into the wall and not through it. Follow its curve until the tip is out.";
         else if (bite.partial) item.why = "The stitch does not go through the whole wall: it holds less, and leaves an edge in the lumen.";
         else if (bite.both_walls) item.why = "The needle took the wall across as well, which shuts the lumen. Keep its tip in sight.";
         else if (bite.torn) item.why = "The stitch was torn out to the cut. Pull in the direction of the stitch, and less.";

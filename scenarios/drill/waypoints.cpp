@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "scenarios/drill/direction.hpp"
 #include "scenarios/drill/file.hpp"
 #include "scenarios/drill/shape.hpp"
 
@@ -143,15 +144,23 @@ class Reader {
         return value;
     }
 
+    static constexpr double far_mm = 1000;  // a tool a metre away is a mistake of units
+
     Vec3 vector(const char* what) {
-        constexpr double far_mm = 1000;  // a tool a metre away is a mistake of units
         const double x = number(what, -far_mm, far_mm), y = number(what, -far_mm, far_mm);
         return {x, y, number(what, -far_mm, far_mm)};
     }
 
     Vec3 place() {
         const Vec3 p = vector("place in mm");
-        return view_.origin_mm + view_.frame * (view_.mirrored ? Vec3(p.x(), -p.y(), p.z()) : p);
+        return within_reach(view_.origin_mm + view_.frame * (view_.mirrored ? Vec3(p.x(), -p.y(), p.z()) : p));
+    }
+
+    // Of what a motion file takes.
+    Vec3 within_reach(const Vec3& world_mm) const {
+        if (world_mm.cwiseAbs().maxCoeff() > far_mm)
+            complain("that is " + shown(std::round(world_mm.x())) + " " + shown(std::round(world_mm.y())) + " " + shown(std::round(world_mm.z())) + " mm seen from outside all frames, expected -1000 to 1000 each");
+        return world_mm;
     }
 
     // Where places and directions that follow are seen from.
@@ -169,12 +178,13 @@ class Reader {
 
     Vec3 direction() {
         const Vec3 axis = vector("axis");
-        if (axis.isZero(0)) complain("the axis has no direction, expected one component other than 0");
+        if (!has_direction(axis)) complain("the axis has no direction, expected one component other than 0");
         return axis.normalized();
     }
 
-    Tool& tool() {
-        const std::string name = word("a tool's name");
+    Tool& tool() { return tool_named(word("a tool's name")); }
+
+    Tool& tool_named(const std::string& name) {
         for (Tool& known : tools_)
             if (known.name == name) return known;
         std::string names;
@@ -227,11 +237,11 @@ class Reader {
         const Vec3 pointing = view_.frame * vector("pointing");
         expect("opening");
         const Vec3 opening = view_.frame * vector("opening");
-        if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || pointing.isZero(0) || opening.isZero(0))
+        if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || !has_direction(pointing) || !has_direction(opening))
             complain("pointing and opening of " + name + " must be two different directions");
-        for (Tool& known : tools_)
-            if (known.name == name) known.pointing = pointing, known.opening = opening;
-        if (tools_.empty()) turned_.push_back({name, Vec3::Zero(), pointing, opening, 1, {}});
+        if (tools_.empty()) return turned_.push_back({name, Vec3::Zero(), pointing, opening, 1, {}});
+        Tool& known = tool_named(name);
+        known.pointing = pointing, known.opening = opening;
     }
 
     void start() {
@@ -257,6 +267,7 @@ class Reader {
     void go() {
         double longest = 0;
         std::vector<const Tool*> gone;
+        if (!more()) complain("`go` moves nothing, expected a tool and its place");
         while (more()) {
             Tool& moved = tool();
             if (std::find(gone.begin(), gone.end(), &moved) != gone.end())
@@ -285,7 +296,7 @@ class Reader {
         const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / piece)));
         const Eigen::AngleAxisd by(radians * angle / pieces, axis);
         for (int k = 0; k < pieces; ++k) {
-            turned.place_mm = centre + by * (turned.place_mm - centre);
+            turned.place_mm = within_reach(centre + by * (turned.place_mm - centre));
             turned.pointing = by * turned.pointing;
             turned.opening = by * turned.opening;
             pass(seconds / pieces);

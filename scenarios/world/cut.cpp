@@ -18,7 +18,7 @@ double World::place_mm(int link, double share) const {
     return 1e3 * std::accumulate(rest.begin(), rest.begin() + link, share * rest[static_cast<std::size_t>(link)]);
 }
 
-// Once a tick: what else was pulled as hard is so no longer.
+// Once a tick: what else was pulled as hard is so no longer. Where it cannot break, as next to an end, it is asked again as long as the pull lasts.
 void World::break_where_pulled_too_hard() {
     if (!strength_.gives_way(tension_now_, def_.tick_s, is_elastic())) return;
     const int link = thread_.most_loaded();
@@ -26,7 +26,10 @@ void World::break_where_pulled_too_hard() {
     const double place = place_mm(link, 0.5);
     char what[40];
     std::snprintf(what, sizeof what, "thread at %.2f N", tension_now_);
-    if (!cut(link, 0.5)) return;
+    if (!cut(link, 0.5)) {
+        strength_.pulled_s = 0;
+        return;
+    }
     log("break", what, place);
     if (!measures_.broke_s) measures_.broke_s = time_s();
 }

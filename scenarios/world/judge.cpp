@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "scenarios/world/world.hpp"
 #include "tissue/join.hpp"
 #include "tissue/lapse.hpp"
@@ -17,12 +19,14 @@ static const char* name_of(tissue::Side side) {
     return "";
 }
 
-// Of the ends on the outer side the farther from the cut.
+// Of the ends on the outer side the farther from the cut: of an open mesh's rims the one that is next to each.
 static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest, const std::vector<tissue::Rim>& outer_rims) {
     double size = 0;
     for (const tissue::BiteEnd* end : {&bite.entry, &bite.exit}) {
         if (end->hole < 0 || end->side != tissue::Side::outer) continue;
-        for (const tissue::Rim& rim : outer_rims) size = std::max(size, tissue::nearest(rim, rest, tissue::position(end->at, rest, rest.nodes)).distance);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const tissue::Rim& rim : outer_rims) nearest = std::min(nearest, tissue::nearest(rim, rest, tissue::position(end->at, rest, rest.nodes)).distance);
+        if (!outer_rims.empty()) size = std::max(size, nearest);
     }
     return size;
 }
@@ -31,7 +35,7 @@ static BiteMeasure measured(const tissue::Bite& bite, const SoftVessel& vessel, 
     constexpr double degrees = 180 / 3.14159265358979324;
     const bool through = bite.state == tissue::BiteState::open;
     return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest(), outer_rims),
-            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn};
+            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn, bite.state == tissue::BiteState::empty};
 }
 
 void World::judge_sewing() {

@@ -19,7 +19,7 @@ struct BiteMeasure {
     std::string vessel, from, to;              ///< Sides: "outer", "inner", "cut", "far end"; `to` empty: it did not come through.
     double size_mm = 0;                        ///< From its end on the outer side to the cut, at rest; 0: none is there.
     double depth_mm = 0, to_wall_deg = 0;      ///< Of the wire, at the deepest; between needle and wall where it was first touched.
-    bool partial = false, both_walls = false, torn = false;
+    bool partial = false, both_walls = false, torn = false, withdrawn = false;
 };
 
 /// One of the ten lapses (tissue/lapse.hpp).

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "scenarios/world/jaws.hpp"
 #include "scenarios/world/world.hpp"
@@ -12,11 +13,9 @@ static double degrees_to_jaws(const Arc& seen, double along) {
     return 180 / 3.14159265358979324 * sim::geometry::portable_atan2(std::abs(wire.y()), std::sqrt(wire.x() * wire.x() + wire.z() * wire.z()));
 }
 
-// Closing jaws hold the needle where it passes through their middle plane between them, at whatever angle.
-bool World::take(Needle& needle, int number, const JawRoom& room) {
+// Along the wire [m], where it passes through the jaws' middle plane between them.
+static std::optional<double> place_between(const JawRoom& room, const Arc& seen) {
     constexpr int looks = 64;  // a millimetre of the longest needle each holds no two crossings
-    const Tool& tool = tools_[static_cast<std::size_t>(number)];
-    const Arc seen = instruments::into_tool(needle.now, tool.before.pose);
     for (int k = 0; k < looks; ++k) {
         const double from = seen.length() * k / looks, to = seen.length() * (k + 1) / looks;
         const Vec3 a = seen.at(from), b = seen.at(to);
@@ -24,16 +23,23 @@ bool World::take(Needle& needle, int number, const JawRoom& room) {
         const double share = a.y() / (a.y() - b.y());
         Vec3 crossing = a + share * (b - a);
         crossing.y() = 0;
-        if (!room.holds(crossing, 0)) continue;
-        const double along = from + share * (to - from);
-        const Holder holder{number, seen, along};
-        (needle.holder.tool < 0 ? needle.holder : needle.next) = holder;
-        char what[64];
-        std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees_to_jaws(seen, along));
-        log("needle_grasp", what, 1e3 * along);
-        return true;
+        if (room.holds(crossing, 0)) return from + share * (to - from);
     }
-    return false;
+    return {};
+}
+
+// Closing jaws hold the needle where it is between them, at whatever angle.
+bool World::take(Needle& needle, int number, const JawRoom& room) {
+    const Tool& tool = tools_[static_cast<std::size_t>(number)];
+    const Arc seen = instruments::into_tool(needle.now, tool.before.pose);
+    const auto along = place_between(room, seen);
+    if (!along) return false;
+    const Holder holder{number, seen, *along};
+    (needle.holder.tool < 0 ? needle.holder : needle.next) = holder;
+    char what[64];
+    std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees_to_jaws(seen, *along));
+    log("needle_grasp", what, 1e3 * *along);
+    return true;
 }
 
 bool World::is_needle_in_wall() const {
@@ -77,6 +83,15 @@ void World::watch_needle() {
     log("needle_bent", tools_[static_cast<std::size_t>(needle.holder.tool)].def.name, force.norm());
 }
 
+// The second to hold it has it no longer where it is no longer between its jaws, were they open: it does not follow them, for the first leads it.
+void World::drop_second_grip(Needle& needle) {
+    if (needle.next.tool < 0) return;
+    const Tool& tool = tools_[static_cast<std::size_t>(needle.next.tool)];
+    if (place_between(JawRoom(tool.shape, 1), instruments::into_tool(needle.now, tool.now.pose))) return;
+    needle.next = {};
+    log("needle_release", tool.def.name, 0);
+}
+
 // The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where it is.
 void World::hold_thread_on(Needle& needle) {
     const int owner = needle.holder.tool;
@@ -84,6 +99,7 @@ void World::hold_thread_on(Needle& needle) {
     const Tool* tool = is_led ? &tools_[static_cast<std::size_t>(owner)] : nullptr;
     needle.before = needle.now;
     if (is_led) needle.now = needle.led_by(tool->now.pose);
+    drop_second_grip(needle);
     const Arc wanted = is_led && !tool->stopped ? needle.led_by(tool->asked.pose) : needle.now;
     const double first = thread_.rest_lengths()[static_cast<std::size_t>(needle.node)];
     for (const int behind : {0, 1}) {

@@ -168,6 +168,7 @@ class World {
     void let_needle_go(int number);
     bool is_needle_in_wall() const;
     void watch_needle();
+    void drop_second_grip(Needle& needle);
     void hold_thread_on(Needle& needle);
     void take_hold(Tool& tool);
     void close_onto_strands(int number);

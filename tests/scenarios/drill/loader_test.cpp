@@ -74,6 +74,8 @@ std::string needle(const std::string& towards, const std::string& bulge) {
     return text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+
 // Another vessel of 4 mm across it, so far aside.
 std::string beside_carotid(const std::string& aside_mm) {
     return with(R"("length_mm": 30}})", R"("length_mm": 30}}, {"name": "vein", "axis": [0.6, 0, 0.8], "centre_mm": [2, )" + aside_mm + R"(, 1], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 20}})");
@@ -188,6 +190,9 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 1, 0]})"),
          "a.json:7:15: error: /thread/needle: a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels"},
         {needle("[0, 0, -1]", "[0, 1, 0]"), "a.json:7:43: error: /thread/needle/tail_mm: from here the needle is in the wall of \"carotid\", expected to start clear of it"},
+        {needle("[0, 0, 1]", "[0, 1e-300, 0]"), "a.json:7:85: error: /thread/needle/bulge: has no direction, expected one component other than 0"},
+        {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"6-0\"", "\"3-0\""), "a.json:7:24: error: /thread/needle/code: its wire of 0.2 mm makes no hole for a thread of 0.225 mm, expected a thicker needle or a thinner thread"},
+        {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"length_mm\": 30", "\"length_mm\": 3, \"cut_angle_deg\": 60"), "a.json:10:81: error: /vessels/0/tube/length_mm: too short for a slanted cut, expected above 3.42 mm"},
         {beside_carotid("3.9"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
         {beside_carotid("0.5"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
         {needle("[0, 0, 0]", "[0, 0, 1]"), "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},

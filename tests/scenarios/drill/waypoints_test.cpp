@@ -88,6 +88,13 @@ TEST(Waypoints, SaysWhatIsWrongWithNamedSteps) {
     EXPECT_EQ(said("steps a\nwait x\nend\nplay a\n").substr(0, 4), "w:4:") << "the line that is wrong, not the one that plays it";
 }
 
+TEST(Waypoints, SaysWhatWouldMoveNothingOrTooFar) {
+    EXPECT_EQ(said("go\n"), "w:3: error: `go` moves nothing, expected a tool and its place");
+    EXPECT_EQ(said("tool hnd pointing 0 0 1 opening 1 0 0\n").substr(0, 35), "w:3: error: no tool is called \"hnd\"");
+    EXPECT_EQ(said("frame 900 0 0\ngo hand 900 0 0\n"), "w:4: error: that is 1800 0 0 mm seen from outside all frames, expected -1000 to 1000 each");
+    EXPECT_EQ(said("frame 0 0 0 turned 90 about 1e-300 0 0\n"), "w:3: error: the axis has no direction, expected one component other than 0");
+}
+
 TEST(Waypoints, SaysWhatIsWrongWithATurn) {
     EXPECT_EQ(said("turn hand 30 about 0 0 0 through 0 0 0 in 1\n"), "w:3: error: the axis has no direction, expected one component other than 0");
     EXPECT_EQ(said("frame 0 0 0 turned 90 about 0 0 0\n"), "w:3: error: the axis has no direction, expected one component other than 0");

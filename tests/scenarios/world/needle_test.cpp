@@ -170,6 +170,28 @@ TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
 }
 
 // Each leads its own thread, whatever becomes of the other's links.
+TEST(Needle, IsHeldNoMoreByJawsThatLeftIt) {
+    Scene scene;
+    World world(scene.def, {}, scene.tools);
+    const auto go = [&](int ticks, double up) {
+        for (int t = 0; t < ticks; ++t) {
+            scene.tools[1].pose.position.z() += up;
+            world.tick(scene.tools);
+        }
+    };
+    scene.tools[0].jaw = 0;
+    go(5, 0);
+    scene.tools[1].jaw = 0;
+    go(5, 0);
+    go(400, 0.05 * mm);
+    EXPECT_EQ(count(world, "needle_release"), 1u);
+    scene.tools[0].jaw = 1;
+    go(5, 0);
+    EXPECT_EQ(count(world, "needle_release"), 2u);
+    go(100, 0.05 * mm);
+    EXPECT_LT(off(world.needle(), scene.def.needle), 1e-12) << "it follows jaws 20 mm away";
+}
+
 TEST(Needle, ASpareLeadsItsOwnThread) {
     Scene scene;
     const Vec3 aside(0, 60 * mm, 0);
