@@ -95,7 +95,7 @@ std::string timeline(const Result& result, const std::vector<Moment>& moments) {
     return "<h2>Timeline</h2>\n" + (svg.empty() ? "<p>Nothing was sampled in this session.</p>\n"
                                                 : "<div class=\"scroll\">" + svg +
                                                       "</div>\n<p class=\"note\">The figure on a curve is its largest "
-                                                      "value. Knots carry their table names; 0_1 is no knot." +
+                                                      "value, looked at every 10 ms; scores are of every tick. Knots carry their table names; 0_1 is no knot." +
                                                       numbered + "</p>\n");
 }
 

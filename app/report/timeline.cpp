@@ -215,7 +215,7 @@ std::string timeline_svg(const Result& result, const std::vector<double>& moment
     for (std::size_t i = 0; i < tools.size(); ++i)
         sheet.add_strip(
             tools[i] + " holds",
-            [i](const Sample& s) { return std::string(i < s.held.size() && s.held[i] ? "thread held" : ""); }, "held");
+            [i](const Sample& s) { return i < s.held.size() ? s.held[i] : ""; }, "held");
     sheet.add_chart("tension [N]", tension, largest(result, tension), 2);
     for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " speed [mm/s]", speed(i), fastest, 0);
     for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " behind its hand [mm]", lag(i), farthest, 2);

@@ -26,7 +26,7 @@ struct Sample {
     double tension_N;                       ///< Largest estimate along the thread.
     std::vector<double> tool_speed_mm_s;    ///< One per instrument, commanded.
     std::vector<double> tool_lag_mm;        ///< One per instrument; a turn counts at a jaw's length.
-    std::vector<int> held;                  ///< 1 where the instrument holds thread.
+    std::vector<std::string> held;          ///< What each instrument has in its jaws: "thread", "needle", "wall", several of them with " and " between, or "".
     std::string knot;                       ///< What it was called then: "0_1", "overhand", ...
 };
 

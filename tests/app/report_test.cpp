@@ -28,7 +28,7 @@ Result tied() {
                              i == 1700 ? 1.87 : 0.3 * wave,
                              {40 * wave, 25.0},
                              {0.1 * wave, 0.0},
-                             {i > 300, i / 500 % 2},
+                             {i > 300 ? "thread" : "", i / 500 % 2 ? "needle and wall" : ""},
                              i < 900    ? "0_1"
                              : i < 1800 ? "3_1"
                                         : "3_1#3_1"});
@@ -136,6 +136,15 @@ TEST(Report, SaysThatNothingIsTied) {
 }
 
 // The page is mailed and opened on hospital machines: it must not ask for anything outside itself.
+TEST(Report, SaysWhatEachToolHeldAndWhetherTheSessionEnded) {
+    Result session = tied();
+    EXPECT_NE(report_html(session, {}).find("needle and wall"), std::string::npos);
+    session.passed = true;
+    session.finished = false;
+    EXPECT_NE(report_html(session, {}).find("Broken off, not finished"), std::string::npos);
+    EXPECT_FALSE(nlohmann::json::parse(result_json(session)).at("finished").get<bool>());
+}
+
 TEST(Report, NeedsNothingButItself) {
     const std::string html = report_html(tied(), {{3, "Grasp", {1, 2, 3}}});
     for (const char* outside : {"http://", "https://", "file:", "src=\"/", "<script", "<link", "url(", "@import"})
@@ -169,7 +178,7 @@ TEST(Report, SurvivesEmptyAndBrokenSessions) {
     const std::string html = report_html(r, {{NAN, "When?", {}}});
     for (const char* word : {"\"nan", "\"-nan", "\"inf", " nan", " inf", "M–", "L–", "\"–\""})
         EXPECT_FALSE(has(html, word)) << word;
-    r.samples.assign(1, {0, 0, {0, 0}, {0, 0}, {0, 0}, "0_1"});
+    r.samples.assign(1, {0, 0, {0, 0}, {0, 0}, {"", ""}, "0_1"});
     EXPECT_TRUE(has(report_html(r, {}), "<svg"));
 }
 
