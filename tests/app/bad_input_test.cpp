@@ -1,5 +1,9 @@
 #include <sqlite3.h>
 
+#include <cmath>
+
+#include "scenarios/drill/drill.hpp"
+#include "scenarios/recording/recording.hpp"
 #include "tests/app/still.hpp"
 #include "tests/program.hpp"
 
@@ -141,6 +145,19 @@ TEST(BadInput, AMeshIsRefusedByName) {
         for (const std::string command : {"validate", "run"})
             expect_refused({{command, "FILE"}, drill_of_mesh(folder, mesh)}, folder, "vessel.obj: error: ");
     }
+}
+
+// Where a tool is at first has nothing before it to stay at.
+TEST(BadInput, ARecordingWhoseFirstInputIsDamagedIsNamed) {
+    const Folder folder;
+    const auto drill = scenarios::drill::load_drill(still::drill);
+    const std::string bad = folder.path("bad.carrel");
+    std::vector<instruments::ToolInput> inputs(drill.world.instruments.size());
+    inputs[1].pose.position.x() = std::nan("");
+    scenarios::recording::Recorder recorder(bad, {drill.text, still::drill, "", drill.world.tick_s, {"left", "right"}, {}});
+    for (int t = 0; t < 5; ++t) recorder.add_tick(inputs);
+    recorder.finish();
+    for (const auto& call : {std::vector<std::string>{"replay", bad}, {"render", bad, "--out", folder.path("x.png")}}) program::expect_one_line_naming(bad, program::run(call));
 }
 
 // Recordings are kept for years and moved about. What was changed in one must be told, by all who read it, and a check
