@@ -345,10 +345,10 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
                             "The drill took longer than allowed.", "The drill was ended before a tie can be done."},
                            drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));
     score_tools(drill, measures, items);
+    const std::string too_hard = measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught." :
+        "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop when the throw is flat, or the edges meet.";
     items.push_back(
-        judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s,
-                "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop "
-                "when the throw is flat.",
+        judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s, too_hard,
                 "The throws were never pulled tight, so they are loose."},
                drill.bands.tension_N));
     score_lag(drill, measures, items);

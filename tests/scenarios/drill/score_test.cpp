@@ -69,6 +69,8 @@ TEST(Score, ABrokenThreadIsToldInsteadOfAThrowThatWasNotPulledThrough) {
     EXPECT_EQ(item("knot", m).why.find("broke"), std::string::npos);
     m.broke_s = 13.71;
     EXPECT_EQ(item("knot", m).why.rfind("The thread broke at 13.71 s", 0), 0u) << item("knot", m).why;
+    m.tension_max_N = {2, 13.6};
+    EXPECT_EQ(item("tension", m).why.rfind("The thread broke at 13.71 s", 0), 0u) << item("tension", m).why;
 }
 
 // The granny is the mistake the drill exists for: it must fail, and say how to do it right.
