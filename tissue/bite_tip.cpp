@@ -74,6 +74,8 @@ bool Bites::goes_through(const Skin& skin) {
     if (touch_.active && (tip - skin.at_face(touch_.face, touch_.weights)).norm() <= def_.wall) return false;
     const Skin::Spot spot = behind_tip(skin);
     if (spot.triangle < 0 || (!is_out && (tip - spot.at).norm() <= def_.wall)) return false;
+    const int face = skin.face(spot.triangle);
+    if (is_out && from_cut(skin.point_of_face(face, skin.weights_in_face(face, spot.at))) < def_.wall) return false;  // it is pressed off over the cut
     const double force = touch_.force;
     touch_at(skin, spot);
     touch_.tip = spot.at, touch_.force = force, touch_.is_through = true;
