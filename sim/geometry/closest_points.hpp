@@ -12,6 +12,9 @@ struct ClosestPair {
     double distance_squared;  ///< [m^2].
 };
 
+/// Less is nearly parallel. A share, so no unit enters.
+constexpr double least_squared_sine = 1e-6;
+
 /// Closest points of the segments a0-a1 and b0-b1.
 ///
 /// Input:      four finite points in one frame [m]. A segment may be a single point.
@@ -32,8 +35,7 @@ inline ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0
         return curvature > 0 ? std::clamp(slope / curvature, 0.0, 1.0) : 0.0;
     };
     // Well apart from parallel, s is good to a millionth of the rounding that decides between near ties, and the best t
-    // for it, clamped, then the best s for that, is the minimum. The squared sine is a share, so no unit enters.
-    constexpr double least_squared_sine = 1e-6;
+    // for it, clamped, then the best s for that, is the minimum.
     const double det = aa * bb - ab * ab;
     if (det > least_squared_sine * aa * bb) {
         const double s = std::clamp((ab * rb - bb * ra) / det, 0.0, 1.0), t = (rb + s * ab) / bb;

@@ -96,6 +96,29 @@ TEST(ClosestPoints, SegmentsAgreeWithASlowSearch) {
     }
 }
 
+// Sides are looked at three at once. Every fifth segment ends beyond a corner, where sides tie, every eleventh is as parallel to a
+// side as is told apart: another order of sums, or a tie taken otherwise, is another bit here and another knot an hour later.
+TEST(ClosestPoints, SidesOfATriangleAtOnceAreTheSameBitsAsOneByOne) {
+    Scene scene(4);
+    int beside = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 corner = 2 * scene.point();
+        const Triangle triangle{corner, corner + scene.point(), corner + scene.side(i, Vec3::UnitZ())};
+        const Vec3 a0 = 2 * scene.point(), along = i % 11 ? scene.side(i + 1, Vec3::UnitX()) : Vec3(0.3 * (triangle.c - triangle.b) + 1e-3 * scene.point());
+        const Vec3 a1 = i % 5 ? Vec3(a0 + along) : Vec3(2 * triangle.b - 0.5 * (triangle.a + triangle.c));
+        const auto pair = closest_points(a0, a1, triangle);
+        ClosestPair best = closest_points(a0, a1, triangle.a, triangle.b);
+        for (const auto& edge : {closest_points(a0, a1, triangle.b, triangle.c), closest_points(a0, a1, triangle.c, triangle.a)})
+            if (edge.distance_squared < best.distance_squared) best = edge;
+        if (pair.distance_squared < best.distance_squared) continue;  // within the face
+        ++beside;
+        ASSERT_EQ(pair.distance_squared, best.distance_squared) << i;
+        ASSERT_EQ(pair.s, best.s) << i;
+        ASSERT_TRUE(pair.on_a == best.on_a && pair.on_b == best.on_b) << i;
+    }
+    EXPECT_GT(beside, 10000);
+}
+
 // A triangle is the sum of its chords from one corner, and along those the distance is convex as well.
 static double slow_distance(const Vec3& a0, const Vec3& a1, const Triangle& triangle) {
     const auto over = [&](double u) {
