@@ -36,7 +36,7 @@ class CapsuleContact {
     std::vector<Place> places_;
 };
 
-/// Walls against each other and themselves: nodes of the surface that are behind a triangle, by up to half the wall, and before none that is nearer. What lay next
+/// Walls against each other and themselves: nodes of the surface that are behind the triangle they are nearest to, by up to half the wall. What lay next
 /// to each other at rest does not touch. Each side is held with twice the stiffness, so that both may give way at once and come to the same as one. Deterministic;
 /// allocates only for more contacts than ever before.
 class WallContact {
@@ -53,13 +53,14 @@ class WallContact {
     int contacts() const { return contacts_; }   ///< Of the last press().
 
   private:
-    struct Behind {
+    struct Nearest {
         int triangle;
-        double depth;
+        double distance, depth;                  // from its nearest place, and behind its plane; negative: before [m]
+        Vec3 place;
     };
     void sort_nodes(const Mesh& rest, const Skin& skin, const Box& where);
     void find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same);
-    void look_behind(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same);
+    void look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, bool same);
     void push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Skin& triangles_of, std::vector<PointForce>& on_triangles);
     std::array<int, 3> cell(const Vec3& at) const;
     int number(int x, int y, int z) const { return (x * size_[1] + y) * size_[2] + z; }
@@ -75,7 +76,7 @@ class WallContact {
     std::vector<std::array<int, 2>> sorted_;     // cells and nodes in them,
     std::vector<std::array<int, 2>> bent_sorted_;  // and those of the bent ones
     Box about_, about_bent_;                     // boxes of both
-    std::vector<Behind> behind_;
+    std::vector<Nearest> nearest_;
 };
 
 }  // namespace tissue

@@ -1,6 +1,8 @@
 // Walls against each other and themselves.
 #include <algorithm>
+#include <cmath>
 
+#include "sim/geometry/closest_points.hpp"
 #include "tissue/contact.hpp"
 
 namespace tissue {
@@ -51,27 +53,31 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
         about_bent_.include(skin.nodes()[node]);
         bent_sorted_.push_back(of_cell);
     }
-    behind_.assign(face_.size(), {-1, 0});
+    nearest_.assign(face_.size(), {-1, 0.5 * thickness_, 0, Vec3::Zero()});
 }
 
-// Behind the triangle, over its inside, less deep than behind any other; at rest not next to it, for a wall that is thin is not through itself.
-void WallContact::look_behind(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same) {
-    const auto i = static_cast<std::size_t>(node);
-    const Vec3& at = nodes_of.nodes()[i];
-    const double depth = up.dot(triangles_of[triangle].a - at);
-    if (!(depth > 0 && depth < 0.5 * thickness_) || (behind_[i].triangle >= 0 && behind_[i].depth <= depth)) return;
-    if (weights_in(triangles_of[triangle], at).minCoeff() < 0) return;
-    if (same) {
-        const auto& nodes = rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))].nodes;
-        const auto rest_of = [&](int k) -> const Vec3& { return rest.nodes[static_cast<std::size_t>(k)]; };
-        double longest = 0, nearest = 1e300;
-        for (std::size_t k = 0; k < 3; ++k) {
-            longest = std::max(longest, (rest_of(nodes[k]) - rest_of(nodes[(k + 1) % 3])).norm());
-            nearest = std::min(nearest, (rest_of(nodes[k]) - rest_of(node)).norm());
-        }
-        if (nearest < longest || nearest < 1.5 * thickness_) return;
+// A wall that is thin is not through itself.
+static bool is_next_to(const Mesh& rest, int node, const Face& face, double thickness) {
+    const auto at = [&](int i) -> const Vec3& { return rest.nodes[static_cast<std::size_t>(i)]; };
+    double longest = 0, nearest = 1e300;
+    for (std::size_t k = 0; k < 3; ++k) {
+        longest = std::max(longest, (at(face.nodes[k]) - at(face.nodes[(k + 1) % 3])).norm());
+        nearest = std::min(nearest, (at(face.nodes[k]) - at(node)).norm());
     }
-    behind_[i] = {triangle, depth};
+    return nearest < longest || nearest < 1.5 * thickness;
+}
+
+// Beyond an edge two triangles are as near: which side the node is on says the one that sees it less aslant.
+void WallContact::look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, bool same) {
+    constexpr double rounding = 1e-9;
+    Nearest& known = nearest_[static_cast<std::size_t>(node)];
+    const Vec3& at = nodes_of.nodes()[static_cast<std::size_t>(node)];
+    const double depth = triangles_of.normal(triangle).dot(triangles_of[triangle].a - at);
+    if (!(std::abs(depth) < known.distance)) return;
+    if (same && is_next_to(rest, node, rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))], thickness_)) return;
+    const Vec3 place = sim::geometry::closest_points(at, at, triangles_of[triangle]).on_b;
+    const double distance = (place - at).norm(), nearer = known.distance - distance, equal = rounding * distance;
+    if (nearer > equal || (nearer >= -equal && std::abs(depth) > std::abs(known.depth))) known = {triangle, distance, depth, place};
 }
 
 void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same) {
@@ -79,30 +85,27 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
         const auto& corners = rest.faces[static_cast<std::size_t>(triangles_of.face(t))].nodes;
         const bool all = !same || std::any_of(corners.begin(), corners.end(), [&](int i) { return is_bent_[static_cast<std::size_t>(i)]; });
         const auto& nodes = all ? sorted_ : bent_sorted_;
-        if (!triangles_of.box(t).grown(0.5 * thickness_).overlaps(all ? about_ : about_bent_)) continue;
-        const Vec3 up = triangles_of.normal(t), down = -0.5 * thickness_ * up;
-        Box around = triangles_of.box(t);   // and what is behind it
-        around.low += down.cwiseMin(0), around.high += down.cwiseMax(0);
-        if (!around.overlaps(grid_)) continue;
+        const Box around = triangles_of.box(t).grown(0.5 * thickness_);
+        if (!around.overlaps(all ? about_ : about_bent_)) continue;
         const auto low = cell(around.low), high = cell(around.high);
         for (int x = low[0]; x <= high[0]; ++x)
             for (int y = low[1]; y <= high[1]; ++y) {
                 const auto begin = std::lower_bound(nodes.begin(), nodes.end(), std::array{number(x, y, low[2]), 0});
-                for (auto k = begin; k != nodes.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_behind(rest, nodes_of, (*k)[1], triangles_of, t, up, same);
+                for (auto k = begin; k != nodes.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_at(rest, nodes_of, (*k)[1], triangles_of, t, same);
             }
     }
 }
 
 void WallContact::push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Skin& triangles_of, std::vector<PointForce>& on_triangles) {
-    for (std::size_t i = 0; i < behind_.size(); ++i) {
-        const auto [triangle, depth] = behind_[i];
-        if (triangle < 0) continue;
+    for (std::size_t i = 0; i < nearest_.size(); ++i) {
+        const auto& [triangle, distance, depth, place] = nearest_[i];
+        if (triangle < 0 || depth <= 0) continue;
         ++contacts_;
         const auto& nodes = rest.faces[static_cast<std::size_t>(face_[i])].nodes;
         const auto corner = std::find(nodes.begin(), nodes.end(), static_cast<int>(i)) - nodes.begin();
-        const Vec3 up = triangles_of.normal(triangle), force = def_.stiffness * depth * up;
+        const Vec3 up = (place - nodes_of.nodes()[i]) / distance, force = def_.stiffness * distance * up;
         on_nodes.push_back({nodes_of.point_of_face(face_[i], Vec3::Unit(corner)), force, 2 * def_.stiffness, up});
-        on_triangles.push_back({triangles_of.point(triangle, weights_in(triangles_of[triangle], nodes_of.nodes()[i])), -force, 2 * def_.stiffness, up});
+        on_triangles.push_back({triangles_of.point(triangle, weights_in(triangles_of[triangle], place)), -force, 2 * def_.stiffness, up});
     }
 }
 
