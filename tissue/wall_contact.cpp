@@ -31,7 +31,7 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
     constexpr double most_along = 64;
     grid_ = where;
     const Vec3 extent = grid_.high - grid_.low;
-    edge_ = std::max(2 * thickness_, extent.maxCoeff() / most_along);
+    edge_ = std::max(0.5 * thickness_, extent.maxCoeff() / most_along);
     for (std::size_t k = 0; k < 3; ++k) size_[k] = 1 + static_cast<int>(extent[static_cast<Eigen::Index>(k)] / edge_);
     face_.assign(skin.nodes().size(), -1);
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
@@ -67,15 +67,16 @@ static bool is_next_to(const Mesh& rest, int node, const Face& face, double thic
     return nearest < longest || nearest < 1.5 * thickness;
 }
 
-// Beyond an edge two triangles are as near: which side the node is on says the one that sees it less aslant.
+// Beyond an edge two triangles are as near: which side the node is on says the one that sees it less aslant. Of its own wall over a triangle's inside alone:
+// about a hole that a needle dents the skins come near to each other.
 void WallContact::look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, bool same) {
     constexpr double rounding = 1e-9;
     Nearest& known = nearest_[static_cast<std::size_t>(node)];
     const Vec3& at = nodes_of.nodes()[static_cast<std::size_t>(node)];
     const double depth = triangles_of.normal(triangle).dot(triangles_of[triangle].a - at);
     if (!(std::abs(depth) < known.distance)) return;
-    if (same && is_next_to(rest, node, rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))], thickness_)) return;
-    const Vec3 place = sim::geometry::closest_points(at, at, triangles_of[triangle]).on_b;
+    if (same && (weights_in(triangles_of[triangle], at).minCoeff() < 0 || is_next_to(rest, node, rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))], thickness_))) return;
+    const Vec3 place = sim::geometry::closest_point(at, triangles_of[triangle]);
     const double distance = (place - at).norm(), nearer = known.distance - distance, equal = rounding * distance;
     if (nearer > equal || (nearer >= -equal && std::abs(depth) > std::abs(known.depth))) known = {triangle, distance, depth, place};
 }

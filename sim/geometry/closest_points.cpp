@@ -82,4 +82,18 @@ ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Triangle& tri) 
     return best;
 }
 
+Vec3 closest_point(const Vec3& p, const Triangle& tri) {
+    const Vec3 ab = tri.b - tri.a, ac = tri.c - tri.a, ap = p - tri.a, bp = p - tri.b, cp = p - tri.c;
+    const double ab_a = ab.dot(ap), ac_a = ac.dot(ap), ab_b = ab.dot(bp), ac_b = ac.dot(bp), ab_c = ab.dot(cp), ac_c = ac.dot(cp);
+    if (ab_a <= 0 && ac_a <= 0) return tri.a;
+    if (ab_b >= 0 && ac_b <= ab_b) return tri.b;
+    if (ac_c >= 0 && ab_c <= ac_c) return tri.c;
+    const double at_c = ab_a * ac_b - ab_b * ac_a, at_b = ab_c * ac_a - ab_a * ac_c, at_a = ab_b * ac_c - ab_c * ac_b;  // shares of area, times it
+    if (at_c <= 0 && ab_a >= 0 && ab_b <= 0) return tri.a + ab_a / (ab_a - ab_b) * ab;
+    if (at_b <= 0 && ac_a >= 0 && ac_c <= 0) return tri.a + ac_a / (ac_a - ac_c) * ac;
+    const double from_b = ac_b - ab_b, from_c = ab_c - ac_c;
+    if (at_a <= 0 && from_b >= 0 && from_c >= 0) return tri.b + from_b / (from_b + from_c) * (tri.c - tri.b);
+    return tri.a + (at_b * ab + at_c * ac) / (at_a + at_b + at_c);
+}
+
 }  // namespace sim::geometry

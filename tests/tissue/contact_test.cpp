@@ -127,68 +127,74 @@ TEST(WallContact, LetsAPinchedVesselOpen) {
     EXPECT_LT(scene.off_rest(), 5e-6);
 }
 
-// Two ends pushed together, cut against cut, one a little aside: they stay apart, and push each other as much.
-TEST(WallContact, KeepsTwoVesselsApart) {
-    Mesh right = make_tube({}), left = right;
-    for (Vec3& p : left.nodes) p = Vec3(-p.x() - 0.1e-3, p.y() + 0.1e-3, -p.z());
-    Tissue a({}, right), b({}, left);
-    Skin skin_a(right), skin_b(left);
-    WallContact contact({}, TubeDef{}.wall);
+// Two ends 0.1 mm apart, cut against cut, one a little aside.
+struct Ends {
+    Mesh right = make_tube({}), left;
+    Tissue a, b;
+    Skin skin_a{right}, skin_b;
+    WallContact contact{{}, TubeDef{}.wall};
     std::vector<Hold> holds_a, holds_b;
-    for (int i = static_cast<int>(right.nodes.size()) - 48; i < static_cast<int>(right.nodes.size()); ++i) holds_a.push_back({i, right.nodes[static_cast<std::size_t>(i)]}), holds_b.push_back({i, left.nodes[static_cast<std::size_t>(i)]});
     std::vector<PointForce> on_a, on_b;
+
+    Ends(double aside, const Material& material) : left(opposite(right, aside)), a(material, right), b(material, left), skin_b(left) {
+        for (int i = static_cast<int>(right.nodes.size()) - 48; i < static_cast<int>(right.nodes.size()); ++i) holds_a.push_back({i, right.nodes[static_cast<std::size_t>(i)]}), holds_b.push_back({i, left.nodes[static_cast<std::size_t>(i)]});
+    }
+    static Mesh opposite(Mesh end, double aside) {
+        for (Vec3& p : end.nodes) p = Vec3(-p.x() - 0.1e-3, p.y() + aside, -p.z());
+        return end;
+    }
+    void go(double nearer) {
+        on_a.clear(), on_b.clear();
+        contact.press(right, skin_a, on_a, left, skin_b, on_b);
+        for (Hold& hold : holds_b) hold.target.x() += nearer;
+        a.step({.holds = holds_a, .forces = on_a}, step), b.step({.holds = holds_b, .forces = on_b}, step);
+        skin_a.update(a.nodes()), skin_b.update(b.nodes());
+    }
+    double fastest() const {
+        double most = 0;
+        for (const Tissue* wall : {&a, &b})
+            for (const Vec3& v : wall->velocity()) most = std::max(most, v.norm());
+        return most;
+    }
+};
+
+// They stay apart, and push each other as much.
+TEST(WallContact, KeepsTwoVesselsApart) {
+    Ends ends(0.1e-3, {});
     int most = 0;
     double overlap = 0;
     for (int s = 0; s < 500; ++s) {
-        on_a.clear(), on_b.clear();
-        contact.press(right, skin_a, on_a, left, skin_b, on_b);
+        ends.go(s < 100 ? 4e-6 : s < 150 ? 0 : s < 250 ? -8e-6 : 0);
         Vec3 sum = Vec3::Zero();
-        for (const auto& force : on_a) sum += force.force;
-        for (const auto& force : on_b) sum += force.force;
+        for (const auto* forces : {&ends.on_a, &ends.on_b})
+            for (const auto& force : *forces) sum += force.force;
         EXPECT_LE(sum.norm(), 1e-12);
-        for (Hold& hold : holds_b) hold.target.x() += s < 100 ? 4e-6 : s < 150 ? 0 : s < 250 ? -8e-6 : 0;
-        a.step({.holds = holds_a, .forces = on_a}, step), b.step({.holds = holds_b, .forces = on_b}, step);
-        skin_a.update(a.nodes()), skin_b.update(b.nodes());
-        most = std::max(most, contact.contacts());
+        most = std::max(most, ends.contact.contacts());
         double low = 0, high = 0;                // the cuts' mean places
-        for (std::size_t i = 0; i < 48; ++i) low += a.nodes()[i].x() / 48, high += b.nodes()[i].x() / 48;
+        for (std::size_t i = 0; i < 48; ++i) low += ends.a.nodes()[i].x() / 48, high += ends.b.nodes()[i].x() / 48;
         overlap = std::max(overlap, high - low);
     }
     EXPECT_GT(most, 10);
     EXPECT_LT(overlap, 0.05e-3);                 // a tenth of the wall, pushed by 0.3 mm
-    EXPECT_EQ(contact.contacts(), 0);
+    EXPECT_EQ(ends.contact.contacts(), 0);
     double off = 0;
-    for (std::size_t i = 0; i < 48; ++i) off = std::max(off, (a.nodes()[i] - right.nodes[i]).norm());
+    for (std::size_t i = 0; i < 48; ++i) off = std::max(off, (ends.a.nodes()[i] - ends.right.nodes[i]).norm());
     EXPECT_LT(off, 10e-6);
 }
 
 // Pressed on by a few tenths of a millimetre and aside by as much they lie over each other, edges on edges, and then rest. A node just before a cut that
 // leans is behind the skin that ends there: taken for a touch, that pushed it by a tenth of a newton, and walls trembled by 0.1 m/s for ever.
 TEST(WallContact, EndsThatLieOverEachOtherRest) {
+    Material soft;
+    soft.young = 0.2e6;
     for (const double by : {0.1e-3, 0.3e-3}) {
         SCOPED_TRACE(by);
-        Mesh right = make_tube({}), left = right;
-        for (Vec3& p : left.nodes) p = Vec3(-p.x() - 0.1e-3, p.y() + by, -p.z());
-        Material soft;
-        soft.young = 0.2e6;
-        Tissue a(soft, right), b(soft, left);
-        Skin skin_a(right), skin_b(left);
-        WallContact contact({}, TubeDef{}.wall);
-        std::vector<Hold> holds_a, holds_b;
-        for (int i = static_cast<int>(right.nodes.size()) - 48; i < static_cast<int>(right.nodes.size()); ++i) holds_a.push_back({i, right.nodes[static_cast<std::size_t>(i)]}), holds_b.push_back({i, left.nodes[static_cast<std::size_t>(i)]});
+        Ends ends(by, soft);
+        for (int s = 0; s < 100; ++s) ends.go((by + 0.1e-3) / 100);
+        for (int s = 0; s < 150; ++s) ends.go(0);
         double fastest = 0;
-        std::vector<PointForce> on_a, on_b;
-        constexpr int pressing = 100, resting = 150, steps = 350;
-        for (int s = 0; s < steps; ++s) {
-            on_a.clear(), on_b.clear();
-            contact.press(right, skin_a, on_a, left, skin_b, on_b);
-            for (Hold& hold : holds_b) hold.target.x() += s < pressing ? (by + 0.1e-3) / pressing : 0;
-            a.step({.holds = holds_a, .forces = on_a}, step), b.step({.holds = holds_b, .forces = on_b}, step);
-            skin_a.update(a.nodes()), skin_b.update(b.nodes());
-            for (const Tissue* wall : {&a, &b})
-                for (const Vec3& v : wall->velocity()) fastest = std::max(fastest, s < pressing + resting ? 0 : v.norm());
-        }
-        EXPECT_GT(contact.contacts(), 10);
+        for (int s = 0; s < 100; ++s) ends.go(0), fastest = std::max(fastest, ends.fastest());
+        EXPECT_GT(ends.contact.contacts(), 10);
         EXPECT_LT(fastest, 1e-3);                // they creep by 0.2 mm/s yet
     }
 }
