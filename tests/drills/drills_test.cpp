@@ -2,6 +2,7 @@
 #include <sqlite3.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,8 +27,11 @@ struct Played {
 
 int run(const std::string& arguments) { return WEXITSTATUS(std::system((std::string(CARREL_PROGRAM) + " " + arguments).c_str())); }
 
+// Of each test its own: two of one drill run at once, and wrote into each other's recording.
 fs::path scratch(const std::string& drill) {
-    const fs::path dir = fs::temp_directory_path() / ("carrel-drills-" + drill);
+    std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(test.begin(), test.end(), '/', '-');
+    const fs::path dir = fs::temp_directory_path() / ("carrel-drills-" + test) / drill;
     fs::create_directories(dir);
     return dir;
 }
