@@ -16,7 +16,7 @@ double Bites::from_cut(const MaterialPoint& point) const {
     constexpr double most = 3e-3;  // [m], to where retention grows with the bite
     const Vec3 at = position(point, rest_, rest_.nodes);
     double squared = most * most;
-    for (const int face : cut_) squared = std::min(squared, sim::geometry::closest_points(at, at, cut_face(face)).distance_squared);
+    for (const int face : cut_) squared = std::min(squared, (sim::geometry::closest_point(at, cut_face(face)) - at).squaredNorm());
     return std::sqrt(squared);
 }
 
@@ -55,7 +55,7 @@ void Bites::slit(const Bite& bite, Skin& skin) const {
     int nearest_face = -1;
     double least = 0;
     for (const int face : cut_) {
-        const double squared = sim::geometry::closest_points(middle, middle, cut_face(face)).distance_squared;
+        const double squared = (sim::geometry::closest_point(middle, cut_face(face)) - middle).squaredNorm();
         if (nearest_face < 0 || squared < least) nearest_face = face, least = squared;
     }
     if (nearest_face >= 0) skin.slit(nearest_face, from, to, gapes * def_.hole);

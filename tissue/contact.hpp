@@ -60,7 +60,7 @@ class WallContact {
     };
     void sort_nodes(const Mesh& rest, const Skin& skin, const Box& where);
     void find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same);
-    void look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, bool same);
+    void look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same);
     void push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Skin& triangles_of, std::vector<PointForce>& on_triangles);
     std::array<int, 3> cell(const Vec3& at) const;
     int number(int x, int y, int z) const { return (x * size_[1] + y) * size_[2] + z; }

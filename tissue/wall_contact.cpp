@@ -69,11 +69,11 @@ static bool is_next_to(const Mesh& rest, int node, const Face& face, double thic
 
 // Beyond an edge two triangles are as near: which side the node is on says the one that sees it less aslant. Of its own wall over a triangle's inside alone:
 // about a hole that a needle dents the skins come near to each other.
-void WallContact::look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, bool same) {
-    constexpr double rounding = 1e-9;
+void WallContact::look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same) {
+    constexpr double rounding = 1e-9;  // of a distance: thousands of times what two triangles make of the edge they share
     Nearest& known = nearest_[static_cast<std::size_t>(node)];
     const Vec3& at = nodes_of.nodes()[static_cast<std::size_t>(node)];
-    const double depth = triangles_of.normal(triangle).dot(triangles_of[triangle].a - at);
+    const double depth = up.dot(triangles_of[triangle].a - at);
     if (!(std::abs(depth) < known.distance)) return;
     if (same && (weights_in(triangles_of[triangle], at).minCoeff() < 0 || is_next_to(rest, node, rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))], thickness_))) return;
     const Vec3 place = sim::geometry::closest_point(at, triangles_of[triangle]);
@@ -88,11 +88,12 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
         const auto& nodes = all ? sorted_ : bent_sorted_;
         const Box around = triangles_of.box(t).grown(0.5 * thickness_);
         if (!around.overlaps(all ? about_ : about_bent_)) continue;
+        const Vec3 up = triangles_of.normal(t);
         const auto low = cell(around.low), high = cell(around.high);
         for (int x = low[0]; x <= high[0]; ++x)
             for (int y = low[1]; y <= high[1]; ++y) {
                 const auto begin = std::lower_bound(nodes.begin(), nodes.end(), std::array{number(x, y, low[2]), 0});
-                for (auto k = begin; k != nodes.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_at(rest, nodes_of, (*k)[1], triangles_of, t, same);
+                for (auto k = begin; k != nodes.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_at(rest, nodes_of, (*k)[1], triangles_of, t, up, same);
             }
     }
 }

@@ -39,4 +39,16 @@ struct Lane {
     friend Lane operator*(const Lane& a, double b) { return a * Lane(b); }
 };
 
+/// Four vectors at once.
+struct Lanes {
+    Lane x, y, z;
+
+    Lanes& operator+=(const Lanes& o) { return x += o.x, y += o.y, z += o.z, *this; }
+    Lanes& operator-=(const Lanes& o) { return x -= o.x, y -= o.y, z -= o.z, *this; }
+    friend Lanes operator-(const Lanes& a, const Lanes& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Lanes operator*(const Lane& a, const Lanes& b) { return {a * b.x, a * b.y, a * b.z}; }
+};
+
+inline Lane dot(const Lanes& a, const Lanes& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
 }  // namespace sim::geometry
