@@ -17,7 +17,7 @@ json items(const Result& result) {
                         {"value", item.value},
                         {"unit", item.unit},
                         {"band", item.band},
-                        {"passed", item.passed},
+                        {"passed", item.band.empty() ? json(nullptr) : json(item.passed)},
                         {"at_s", item.at_s},
                         {"why", item.why}});
     return list;

@@ -14,7 +14,7 @@ struct ScoreItem {
     std::string title;     ///< For people: "Knot", "Path length, left tool".
     std::string value;     ///< As shown, without unit: "square", "12.4".
     std::string unit;      ///< "mm", "s", "N", "".
-    std::string band;      ///< As shown: "square", "3 to 8", "at most 120".
+    std::string band;      ///< As shown: "square", "3 to 8", "at most 120"; empty: measured, not judged.
     bool passed = false;
     double at_s = 0;       ///< When it was decided or reached its value [s].
     std::string why;       ///< If failed: one sentence for the resident. Else empty.

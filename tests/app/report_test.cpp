@@ -72,6 +72,7 @@ TEST(ResultJson, SaysWhatTheContractNames) {
     EXPECT_EQ(item.at("passed"), false);
     EXPECT_EQ(item.at("at_s"), 21.5);
     EXPECT_EQ(item.at("why"), "The second throw went the same way round.");
+    EXPECT_EQ(j.at("/items/3/passed"_json_pointer), nullptr);  // measured, not judged
     EXPECT_EQ(j.at("knot"), "3_1#3_1");
     EXPECT_EQ(j.at("surgical"), "granny");
     EXPECT_EQ(j.at("throws"), "1x1");
