@@ -7,13 +7,24 @@ namespace sim::thread {
 
 using geometry::Lane;
 
-// The inverse Z = D^-1 L^-1 + (1 - L^T) Z within the band, from its end [Takahashi, Fagan and Chin 1973] up to this node.
-void ChainMatrix::invert_band(std::size_t first) {
+// Where a chain is cut no number joins the nodes before to those after.
+bool ChainMatrix::ends_at(std::size_t node) const {
+    const std::size_t past = 3 * node + 3;
+    for (std::size_t c = node > 0 ? 3 * node - 3 : 0; c < past; ++c)
+        for (std::size_t k = past - c; k < width; ++k)
+            if (factor_[c * stride + k] != 0) return false;
+    return true;
+}
+
+// The inverse Z = D^-1 L^-1 + (1 - L^T) Z within the band, from the end of the piece with the last of these nodes [Takahashi, Fagan and Chin 1973]
+// up to the first.
+void ChainMatrix::invert_band(std::size_t first, std::size_t last) {
     using Eight = Eigen::Matrix<double, 8, 1>;
     const auto eight = [](double* p) { return Eigen::Map<Eight>(p); };
     inverse_band_.resize(band_.size());
     double next[8][8] = {};  // of the next eight rows and columns
-    for (std::size_t c = 3 * nodes_; c-- > 3 * first;) {
+    while (last + 1 < nodes_ && !ends_at(last)) ++last;
+    for (std::size_t c = 3 * last + 3; c-- > 3 * first;) {
         const double* const below = factor_.data() + c * stride;
         Eight column = Eight::Zero();
         for (std::size_t k = 0; k < 8; ++k) column -= below[k + 1] * eight(next[k]);
@@ -62,7 +73,7 @@ Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> n
     inverse_.resize(size * size + beyond);
     Window window;
     const auto node_at = [&](std::size_t place) { return static_cast<std::size_t>(nodes[place]); };
-    if (count > 0) invert_band(node_at(0));
+    if (count > 0) invert_band(node_at(0), node_at(count - 1));
     const auto inverse = [size, first = inverse_.data()](std::size_t column, std::size_t axis, std::size_t row) { return first + (3 * column + axis) * size + 3 * row; };
     for (std::size_t end = count; end > 0;) {
         const std::size_t begin = end > together ? end - together : 0;
