@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -31,6 +33,33 @@ double volume(const Mesh& mesh) {
 }
 
 namespace {
+
+// Next corner along each rim, with the surface to its right.
+std::map<int, int> rims_of(const Mesh& mesh) {
+    std::set<std::array<int, 2>> ways;
+    for (const auto& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) ways.insert({t[k], t[(k + 1) % 3]});
+    std::map<int, int> next;
+    for (const auto& [from, to] : ways)
+        if (!ways.contains({to, from})) next[to] = from;
+    return next;
+}
+
+// With each rim drawn together to its middle.
+double filled_volume(const Mesh& mesh) {
+    Mesh filled = mesh;
+    for (std::map<int, int> next = rims_of(mesh); !next.empty();) {
+        const int middle = static_cast<int>(filled.vertices.size());
+        Vec3 sum = Vec3::Zero();
+        int corners = 0;
+        for (auto at = next.begin(); at != next.end(); next.erase(at), at = next.find(filled.triangles.back()[1]), ++corners) {
+            sum += mesh.vertices[static_cast<std::size_t>(at->first)];
+            filled.triangles.push_back({at->first, at->second, middle});
+        }
+        filled.vertices.push_back(sum / corners);
+    }
+    return volume(filled);
+}
 
 struct Reader {
     const std::filesystem::path& file;
@@ -82,6 +111,7 @@ struct Reader {
                 if (face.mNumIndices != 3) continue;  // loose points and lines
                 std::array<int, 3> triangle{};
                 for (unsigned i = 0; i < 3; ++i) {
+                    if (face.mIndices[i] >= part->mNumVertices) fail(name(mesh.triangles.size()) + " has a corner that does not exist");
                     const aiVector3D& p = part->mVertices[face.mIndices[i]];
                     const Vec3 corner(p.x, p.y, p.z);
                     if (!corner.allFinite())
@@ -125,8 +155,7 @@ struct Reader {
         }
     }
 
-    /// True if every edge has two triangles.
-    bool check_edges(const Mesh& mesh) const {
+    void check_edges(const Mesh& mesh) const {
         std::map<std::array<int, 2>, std::array<int, 2>> uses;  // of an edge, low vertex first: upwards, downwards
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -136,8 +165,15 @@ struct Reader {
                 if (up + down > 2) fail(name(i) + " has an edge of more than two triangles, a surface has at most two");
                 if (up == 2 || down == 2) fail(name(i) + " faces the other way than its neighbour, turn one around");
             }
-        return std::all_of(uses.begin(), uses.end(),
-                           [](const auto& use) { return use.second[0] + use.second[1] == 2; });
+    }
+
+    // A sheet that is all but flat has no inside.
+    void check_facing(const Mesh& mesh) const {
+        constexpr double flat = 0.02;  // of what a sphere of that area holds; a tube a hundred times as long as wide holds 0.05
+        double area = 0;
+        for (const Triangle& t : mesh.soup()) area += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
+        const double sphere = area * std::sqrt(area / (36 * std::numbers::pi));
+        if (filled_volume(mesh) < -flat * sphere) fail("faces inwards everywhere, turn its triangles around");
     }
 };
 
@@ -149,8 +185,8 @@ Mesh load_mesh(const std::filesystem::path& file) {
     Mesh mesh = reader.read();
     reader.check_size(mesh);
     reader.check_triangles(mesh);
-    if (reader.check_edges(mesh) && volume(mesh) < 0)
-        reader.fail("faces inwards everywhere, turn its triangles around");
+    reader.check_edges(mesh);
+    reader.check_facing(mesh);
     return mesh;
 }
 

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+
+#include "sim/geometry/closest_points.hpp"
+#include "sim/geometry/triangle_tree.hpp"
 
 namespace tissue {
 
@@ -75,6 +79,24 @@ Problem problem_with_fans(const Surface& surface) {
     return {};
 }
 
+// A vessel is one piece: with two, start, end and cut of it say nothing.
+Problem problem_with_pieces(const Surface& surface) {
+    std::vector<int> piece(surface.vertices.size());
+    std::iota(piece.begin(), piece.end(), 0);
+    const auto first_of = [&](int v) {
+        while (piece[static_cast<std::size_t>(v)] != v) v = piece[static_cast<std::size_t>(v)];
+        return v;
+    };
+    for (const Triangle& t : surface.triangles)
+        for (std::size_t k = 1; k < 3; ++k) {
+            const auto [low, high] = std::minmax({first_of(t[0]), first_of(t[k])});
+            piece[static_cast<std::size_t>(high)] = low;
+        }
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        if (first_of(surface.triangles[t][0]) != first_of(surface.triangles[0][0])) return name(t) + " is not joined to the first one, a wall is one piece";
+    return {};
+}
+
 // Mean of the normals of a vertex's triangles by their angles there, as long as it takes to be 1 above them in the mean.
 std::vector<Vec3> normals_of(const Surface& surface) {
     std::vector<Vec3> normals(surface.vertices.size(), Vec3::Zero());
@@ -125,13 +147,36 @@ void add_faces(Mesh& mesh, const Surface& surface, int through) {
     }
 }
 
+// The first face, by the triangle it comes from, that another goes through which shares no corner with it.
+Problem problem_with_faces(const Mesh& mesh, const Surface& surface, double thickness) {
+    const auto at = [&](int i) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(i)]; };
+    std::vector<sim::geometry::Triangle> faces;
+    for (const Face& face : mesh.faces) faces.push_back({at(face.nodes[0]), at(face.nodes[1]), at(face.nodes[2])});
+    const sim::geometry::TriangleTree tree(faces);
+    constexpr double rounding = 1e-9;  // of what goes through a face, and has no distance from it
+    std::vector<int> near;
+    for (std::size_t f = 0; f < 2 * surface.triangles.size(); ++f) {
+        const auto& mine = mesh.faces[f].nodes;
+        near.clear();
+        tree.near(tree.box(static_cast<int>(f)), near);
+        for (const int other : near) {
+            const auto& its = mesh.faces[static_cast<std::size_t>(other)].nodes;
+            if (std::find_first_of(mine.begin(), mine.end(), its.begin(), its.end()) != mine.end()) continue;
+            for (std::size_t k = 0; k < 3; ++k)
+                if (closest_points(at(its[k]), at(its[(k + 1) % 3]), faces[f]).distance_squared < rounding * rounding * thickness * thickness)
+                    return "the wall goes through itself at " + name(f / 2);
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Wall make_wall(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const WallDef& def) {
     const Surface surface{vertices, triangles};
     Wall wall;
     if (!(def.thickness > 0) || def.through < 1) wall.problem = "a wall must be thicker than 0 and have at least one cell through it";
-    for (const auto check : {problem_with_triangles, problem_with_edges, problem_with_fans})
+    for (const auto check : {problem_with_triangles, problem_with_edges, problem_with_fans, problem_with_pieces})
         if (!wall.problem) wall.problem = check(surface);
     if (wall.problem) return wall;
     Mesh& mesh = wall.mesh;
@@ -150,6 +195,7 @@ Wall make_wall(std::span<const Vec3> vertices, std::span<const Triangle> triangl
         return wall;
     }
     add_faces(mesh, surface, def.through);
+    wall.problem = problem_with_faces(mesh, surface, def.thickness);
     return wall;
 }
 

@@ -22,8 +22,8 @@ struct Wall {
 /// `triangles` of `vertices` [m], counter-clockwise seen from outside; closed, or open with rims, which become Side::cut. Each is extruded inwards along the
 /// normals of its vertices into prisms of three tetrahedra, a cell each. Node `through` of a vertex is the vertex itself, those before it are further in.
 /// A problem is: a corner that does not exist or is not finite, a vertex of no triangle, a triangle without area, an edge of more than two triangles,
-/// neighbours that face opposite ways, parts that meet in a vertex alone, a wall too thick for where its surface curves inwards. What is no neighbour may
-/// come as near as it likes: a fold through itself is not looked for.
+/// neighbours that face opposite ways, parts that meet in a vertex alone, more than one piece, a wall too thick for where its surface curves inwards, or one
+/// that goes through itself. Cost: n log n, where no more than a few are near each other.
 Wall make_wall(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles, const WallDef& def);
 
 }  // namespace tissue

@@ -22,13 +22,13 @@ struct Surface {
     std::vector<std::array<int, 3>> triangles;
 };
 
-// Rings of a torus or, where it does not close, of a bent tube: radius 2 mm about a circle of 10 mm. Counter-clockwise from outside.
-Surface bent_tube(bool closed) {
+// Rings of a torus or, where it does not close, of a bent tube: radius 2 mm about a circle of 10 mm, `turns` of it. Counter-clockwise from outside.
+Surface bent_tube(bool closed, double turns = 1) {
     constexpr int along = 24, around = 12;
     Surface s;
     for (int i = 0; i < along; ++i)
         for (int k = 0; k < around; ++k) {
-            const double turn = 2 * pi * i / along, roll = 2 * pi * k / around, out = 10e-3 + 2e-3 * std::cos(roll);
+            const double turn = turns * 2 * pi * i / along, roll = 2 * pi * k / around, out = 10e-3 + 2e-3 * std::cos(roll);
             s.vertices.push_back({out * std::cos(turn), out * std::sin(turn), 2e-3 * std::sin(roll)});
         }
     for (int i = 0; i < (closed ? along : along - 1); ++i)
@@ -140,6 +140,24 @@ TEST_F(Files, RunOrSayWhatIsWrong) {
     Surface inwards = clean;
     for (auto& t : inwards.triangles) std::swap(t[0], t[1]);
     EXPECT_EQ(outcome(inwards), "faces inwards everywhere, turn its triangles around");
+
+    Surface open_inwards = open;
+    for (auto& t : open_inwards.triangles) std::swap(t[0], t[1]);
+    EXPECT_EQ(outcome(open_inwards), "faces inwards everywhere, turn its triangles around");
+
+    const auto twice_with = [&](const Vec3& way) {
+        Surface both = open;
+        for (const Vec3& v : open.vertices) both.vertices.push_back(v + way);
+        for (auto t : open.triangles) {
+            for (int& corner : t) corner += static_cast<int>(open.vertices.size());
+            both.triangles.push_back(t);
+        }
+        return both;
+    };
+    EXPECT_EQ(outcome(twice_with({0, 0, 6e-3})), "triangle 553 is not joined to the first one, a wall is one piece");
+
+    const Surface spiral = bent_tube(false, 1.1);  // its end goes into its beginning
+    EXPECT_TRUE(outcome(spiral).starts_with("the wall goes through itself at triangle")) << outcome(spiral);
 
     Surface finned = clean;
     finned.vertices.push_back({10e-3, 0, 8e-3});
