@@ -14,10 +14,18 @@ namespace {
 
 using Chosen = std::function<int()>;
 
+// CLI11 says of a command that it does not know only that one is required.
+std::string unknown_command(const CLI::App& program) {
+    std::string known;
+    for (const CLI::App* command : program.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
+    return "'" + program.remaining().front() + "' is no command, known are " + known;
+}
+
 std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
-    std::string command = "carrel";
+    std::string command = "carrel", what = error.what();
     for (const CLI::App* chosen : program->get_subcommands()) command += " " + chosen->get_name();
-    return one_line(command + ": error: " + error.what() + "; see " + command + " --help");
+    if (program->get_subcommands().empty() && !program->remaining().empty() && !program->remaining().front().starts_with("-")) what = unknown_command(*program);
+    return one_line(command + ": error: " + what + "; see " + command + " --help");
 }
 
 void add_run(CLI::App& program, Chosen& chosen) {

@@ -42,6 +42,8 @@ class Reader {
             document_.fail(problem->pointer, problem->what, problem->at_key);
         filled_ = with_defaults(document_.value(), drill_shape());
         drill_.title = filled_["title"];
+        const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+        if (std::any_of(drill_.title.begin(), drill_.title.end(), is_control)) document_.fail("/title", "has control characters, expected one line of text");
         drill_.description = filled_.value("description", "");
         drill_.time_limit_s = filled_["time_limit_s"];
         if (filled_.contains("motion")) drill_.motion = base_ / filled_["motion"].get<std::string>();

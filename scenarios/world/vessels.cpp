@@ -84,7 +84,10 @@ void World::move(SoftVessel& vessel, double seconds) {
     vessel.skin.update(vessel.tissue.nodes());
     vessel.bites.settle(vessel.skin);
     pull_at_bites(vessel, seconds);
-    for (const tissue::BiteEvent& event : vessel.bites.events()) log(name_of(event.kind), vessel.name, event.force);
+    for (const tissue::BiteEvent& event : vessel.bites.events()) {
+        log(name_of(event.kind), vessel.name, event.force);
+        if (event.kind == tissue::BiteEvent::slipped && measures_.slipped.empty()) measures_.slipped = vessel.name, measures_.slipped_s = time_s();
+    }
     if (vessel.skin.openings() > openings) renew_wall();
 }
 

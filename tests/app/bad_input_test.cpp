@@ -293,4 +293,5 @@ TEST(BadInput, AWrongCommandLineIsOneLineToo) {
         SCOPED_TRACE(testing::PrintToString(call));
         program::expect_one_line_naming("--help", program::run(call));
     }
+    EXPECT_NE(program::run({"runn", still::drill}).said.find("'runn' is no command, known are run, replay"), std::string::npos);
 }

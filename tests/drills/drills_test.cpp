@@ -74,19 +74,19 @@ void expect_replays(const std::string& drill) {
     EXPECT_EQ(run("replay --verify " + file + " 2> /dev/null"), 0);
 }
 
-// A recording is proof only if a changed one is found out, and where.
-void expect_tampering_is_found(const std::string& drill) {
+// A recording is proof only if a changed one is found out, and where: `change` is of one row, and the error names `what`.
+void expect_tampering_is_found(const std::string& drill, const std::string& change, const std::string& what) {
     const fs::path forged = scratch(drill) / "forged.carrel", said = scratch(drill) / "forged.txt";
     fs::copy_file(scratch(drill) / "session.carrel", forged, fs::copy_options::overwrite_existing);
     sqlite3* db = nullptr;
     ASSERT_EQ(sqlite3_open(forged.c_str(), &db), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(db, "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 3000", nullptr, nullptr, nullptr), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(db, change.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
     EXPECT_EQ(sqlite3_changes(db), 1);
     sqlite3_close(db);
     EXPECT_EQ(run("replay --verify " + forged.string() + " > " + said.string() + " 2>&1"), 3);
     std::ostringstream text;
     text << std::ifstream(said).rdbuf();
-    EXPECT_NE(text.str().find("3000"), std::string::npos) << text.str();
+    EXPECT_NE(text.str().find(what), std::string::npos) << text.str();
 }
 
 // What a drill comes to; `hash` is of its last tick. The shipped and the sanitized build, and any machine, must come to the
@@ -130,7 +130,8 @@ TEST(Drills, SurgeonsIsTiedNamedAndReplayed) {
 
 TEST(Drills, SquareIsTiedNamedAndReplayed) {
     expect_tied("square-knot", "square", "1=1", true, "17a30586d7ab9b86");
-    expect_tampering_is_found("square-knot");
+    expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 3000", "3000");
+    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 0 WHERE name = 'knot'", "the score 'knot' differs");
 }
 
 // The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips.

@@ -142,6 +142,8 @@ struct Case {
 TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
     const std::string hash(64, 'a');
     const Case cases[] = {
+        {with("\"title\": \"Square knot\"", "\"title\": \"Square\\nknot\""),
+         "a.json:3:12: error: /title: has control characters, expected one line of text"},
         {with("\"length_mm\": 150", "\"length_cm\": 15"),
          "a.json:6:5: error: /thread/length_cm: unknown key, this is written in mm as \"length_mm\""},
         {with("\"length_mm\": 150", "\"length\": 0.15"),

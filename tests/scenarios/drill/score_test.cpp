@@ -218,4 +218,7 @@ TEST(Score, BitesThatHoldAreCounted) {
     EXPECT_EQ(item("bites", m, text).value, "1");
     m.bites.clear();
     EXPECT_FALSE(item("bites", m, text).passed);
+    EXPECT_TRUE(item("bites", m, text).why.starts_with("No wall was pierced"));
+    m.slipped = "left", m.slipped_s = 1.734;
+    EXPECT_TRUE(item("bites", m, text).why.starts_with("The needle slipped off the edge of left at 1.73 s"));
 }
