@@ -15,16 +15,18 @@ namespace {
 using Chosen = std::function<int()>;
 
 // CLI11 says of a command that it does not know only that one is required.
-std::string unknown_command(const CLI::App& program) {
+std::string unknown_command(const CLI::App& program, const std::string& asked) {
     std::string known;
     for (const CLI::App* command : program.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
-    return "'" + program.remaining().front() + "' is no command, known are " + known;
+    return "'" + asked + "' is no command, known are " + known;
 }
 
 std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
-    std::string command = "carrel", what = error.what();
+    const auto left = program->remaining();
+    const bool is_unknown = program->get_subcommands().empty() && !left.empty() && !left.front().starts_with("-");
+    const std::string what = is_unknown ? unknown_command(*program, left.front()) : error.what();
+    std::string command = "carrel";
     for (const CLI::App* chosen : program->get_subcommands()) command += " " + chosen->get_name();
-    if (program->get_subcommands().empty() && !program->remaining().empty() && !program->remaining().front().starts_with("-")) what = unknown_command(*program);
     return one_line(command + ": error: " + what + "; see " + command + " --help");
 }
 

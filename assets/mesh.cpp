@@ -34,21 +34,10 @@ double volume(const Mesh& mesh) {
 
 namespace {
 
-// Next corner along each rim, with the surface to its right.
-std::map<int, int> rims_of(const Mesh& mesh) {
-    std::set<std::array<int, 2>> ways;
-    for (const auto& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) ways.insert({t[k], t[(k + 1) % 3]});
-    std::map<int, int> next;
-    for (const auto& [from, to] : ways)
-        if (!ways.contains({to, from})) next[to] = from;
-    return next;
-}
-
-// With each rim drawn together to its middle.
-double filled_volume(const Mesh& mesh) {
+// With each rim drawn together to its middle; `next`: corner along the rims, with the surface to their right.
+double filled_volume(const Mesh& mesh, std::map<int, int> next) {
     Mesh filled = mesh;
-    for (std::map<int, int> next = rims_of(mesh); !next.empty();) {
+    while (!next.empty()) {
         const int middle = static_cast<int>(filled.vertices.size());
         Vec3 sum = Vec3::Zero();
         int corners = 0;
@@ -155,7 +144,8 @@ struct Reader {
         }
     }
 
-    void check_edges(const Mesh& mesh) const {
+    /// Next corner along the rims, with the surface to their right.
+    std::map<int, int> check_edges(const Mesh& mesh) const {
         std::map<std::array<int, 2>, std::array<int, 2>> uses;  // of an edge, low vertex first: upwards, downwards
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -165,15 +155,19 @@ struct Reader {
                 if (up + down > 2) fail(name(i) + " has an edge of more than two triangles, a surface has at most two");
                 if (up == 2 || down == 2) fail(name(i) + " faces the other way than its neighbour, turn one around");
             }
+        std::map<int, int> next;
+        for (const auto& [edge, times] : uses)
+            if (times[0] + times[1] == 1) next[edge[times[0]]] = edge[times[1]];
+        return next;
     }
 
     // A sheet that is all but flat has no inside.
-    void check_facing(const Mesh& mesh) const {
+    void check_facing(const Mesh& mesh, const std::map<int, int>& rims) const {
         constexpr double flat = 0.02;  // of what a sphere of that area holds; a tube a hundred times as long as wide holds 0.05
         double area = 0;
         for (const Triangle& t : mesh.soup()) area += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
         const double sphere = area * std::sqrt(area / (36 * std::numbers::pi));
-        if (filled_volume(mesh) < -flat * sphere) fail("faces inwards everywhere, turn its triangles around");
+        if (filled_volume(mesh, rims) < -flat * sphere) fail("faces inwards everywhere, turn its triangles around");
     }
 };
 
@@ -185,8 +179,7 @@ Mesh load_mesh(const std::filesystem::path& file) {
     Mesh mesh = reader.read();
     reader.check_size(mesh);
     reader.check_triangles(mesh);
-    reader.check_edges(mesh);
-    reader.check_facing(mesh);
+    reader.check_facing(mesh, reader.check_edges(mesh));
     return mesh;
 }
 

@@ -83,14 +83,15 @@ Problem problem_with_fans(const Surface& surface) {
 Problem problem_with_pieces(const Surface& surface) {
     std::vector<int> piece(surface.vertices.size());
     std::iota(piece.begin(), piece.end(), 0);
+    const auto up = [&](int v) -> int& { return piece[static_cast<std::size_t>(v)]; };
     const auto first_of = [&](int v) {
-        while (piece[static_cast<std::size_t>(v)] != v) v = piece[static_cast<std::size_t>(v)];
+        while (up(v) != v) v = up(v) = up(up(v));
         return v;
     };
     for (const Triangle& t : surface.triangles)
         for (std::size_t k = 1; k < 3; ++k) {
             const auto [low, high] = std::minmax({first_of(t[0]), first_of(t[k])});
-            piece[static_cast<std::size_t>(high)] = low;
+            up(high) = low;
         }
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         if (first_of(surface.triangles[t][0]) != first_of(surface.triangles[0][0])) return name(t) + " is not joined to the first one, a wall is one piece";

@@ -268,7 +268,8 @@ void score_bites(const Drill& drill, const world::Measures& measures, std::vecto
         items.push_back(judged({"bite_angle_" + number, "Bite " + number + of + ", needle to wall", "degrees", bite.to_wall_deg, 0, measures.duration_s, "", ""}, {}));
     }
     if (!drill.bands.bites) return;
-    const std::string too_few = !measures.slipped.empty() ? "The needle slipped off the edge of " + measures.slipped + " at " + fixed(measures.slipped_s, 2) + " s: bite farther from it, or hold the edge."
+    const bool is_missing = static_cast<double>(measures.bites.size()) < drill.bands.bites->low;
+    const std::string too_few = is_missing && !measures.slipped.empty() ? "The needle slipped off the edge of " + measures.slipped + " at " + fixed(measures.slipped_s, 2) + " s: bite farther from it, or hold the edge."
                                 : measures.bites.empty()  ? "No wall was pierced: hold the needle, and follow its curve through each."
                                                           : "Bites are missing, or do not hold: see them one by one.";
     items.push_back(judged({"bites", "Bites, each through one whole wall", "", held, 0, measures.duration_s, "More bites than needed: each weakens the wall.", too_few},

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "scenarios/world/world.hpp"
@@ -41,6 +42,8 @@ static BiteMeasure measured(const tissue::Bite& bite, const SoftVessel& vessel, 
 void World::judge_sewing() {
     measures_.bites.clear();
     measures_.join = {};
+    const auto slip = std::find_if(events_.begin(), events_.end(), [](const Event& event) { return event.kind == "slipped"; });
+    if (slip != events_.end()) measures_.slipped = slip->what, measures_.slipped_s = slip->t_s;
     bool sewn = vessels_.size() == 2;
     for (const SoftVessel& vessel : vessels_) {
         const auto outer = tissue::rims(vessel.tissue.rest(), tissue::Side::outer);

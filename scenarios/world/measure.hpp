@@ -55,7 +55,7 @@ struct Measures {
     std::vector<std::string> around;           ///< Vessels that the knot's loop goes round.
     std::vector<TieMeasure> ties;              ///< At the end, piece by piece of the thread.
     std::vector<BiteMeasure> bites;            ///< At the end, vessel by vessel.
-    std::string slipped;                       ///< The vessel that the needle slipped off first; empty: none,
+    std::string slipped;                       ///< At the end, the vessel that the needle slipped off first; empty: none,
     double slipped_s = 0;                      ///< and when.
     JoinMeasure join;
     double duration_s = 0;

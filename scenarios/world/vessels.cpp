@@ -84,10 +84,7 @@ void World::move(SoftVessel& vessel, double seconds) {
     vessel.skin.update(vessel.tissue.nodes());
     vessel.bites.settle(vessel.skin);
     pull_at_bites(vessel, seconds);
-    for (const tissue::BiteEvent& event : vessel.bites.events()) {
-        log(name_of(event.kind), vessel.name, event.force);
-        if (event.kind == tissue::BiteEvent::slipped && measures_.slipped.empty()) measures_.slipped = vessel.name, measures_.slipped_s = time_s();
-    }
+    for (const tissue::BiteEvent& event : vessel.bites.events()) log(name_of(event.kind), vessel.name, event.force);
     if (vessel.skin.openings() > openings) renew_wall();
 }
 

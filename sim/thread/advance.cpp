@@ -1,6 +1,7 @@
 #include "sim/thread/advance.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/geometry/closest_points.hpp"
 
@@ -22,9 +23,17 @@ static double share_of_tool(const State& state, const Row& row) {
     return into > room ? room / into : 1;
 }
 
-// A row or contact, with a wall, of a link that ends in this node.
-template <class Near>
-static bool is_at_wall(const Near& near, int node) { return near.against == Against::surface && (near.link == node || near.link + 1 == node); }
+static bool is_at_wall(const Row& row, int node) { return row.against == Against::surface && (row.link == node || row.link + 1 == node); }
+
+// Of each node, what is free between its links and the nearest wall at least.
+static void find_room_at_walls(State& state) {
+    state.room_at_walls.assign(state.nodes.size(), std::numeric_limits<double>::infinity());
+    for (const Contact& c : state.contacts) {
+        if (c.against != Against::surface) continue;
+        const double room = c.measured - 2 * (state.moved - c.measured_at) - c.thickness;
+        for (const int node : {c.link, c.link + 1}) state.room_at_walls[at(node)] = std::min(state.room_at_walls[at(node)], room);
+    }
+}
 
 static double share_of_node(const Row& row, int node) { return row.link == node ? 1 - row.s : row.s; }
 
@@ -36,9 +45,7 @@ static bool is_in_jaws(const State& state, std::size_t hold) {
 static double share_at_walls(const State& state, std::size_t hold) {
     const int node = state.input.holds[hold].node;
     const Vec3 way = state.input.holds[hold].target - state.hold_from[hold];
-    double share = 1;
-    for (const Contact& c : state.contacts)
-        if (is_at_wall(c, node)) share = std::min(share, std::max(state.def.radius, c.measured - 2 * (state.moved - c.measured_at) - c.thickness) / way.norm());
+    double share = std::min(1.0, std::max(state.def.radius, state.room_at_walls[at(node)]) / way.norm());
     if (!is_in_jaws(state, hold)) return share;
     for (const Row& row : state.rows) {
         const double into = -share_of_node(row, node) * way.dot(row.normal), room = room_in(state, row);
@@ -78,9 +85,10 @@ static bool goes_along(const State& state, const Row& row) {
     return false;
 }
 
-double share_of_tools(const State& state, double left, const Motion& motion) {
+double share_of_tools(State& state, double left, const Motion& motion) {
+    find_room_at_walls(state);
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
-    for (const Contact& c : state.contacts)
+    for (const Contact& c : but_walls(state.contacts))
         if (c.against == Against::capsule) share = std::min(share, share_beside(state, c));
     for (std::size_t h = 0; h < state.hold_from.size(); ++h) share = std::min(share, share_at_walls(state, h));
     return share / left;
@@ -100,7 +108,8 @@ bool may_dare(const State& state) {
 bool is_deep(const State& state) {
     const std::span<const Vec3> step = state.rod->step_found();
     const auto then = [&](int node) { return Vec3(state.nodes[at(node)] + step[at(node)]); };
-    return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const Contact& c) {
+    const auto contacts = but_walls(state.contacts);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
         if (c.against != Against::capsule || c.gap - c.thickness > closing(state)) return false;
         const Capsule& tool = state.capsules[at(c.other)];
         const double least = c.thickness - deepest(state);

@@ -5,7 +5,8 @@
 namespace sim::thread {
 
 /// What share of the motion that is left tools may make before we look again, should the thread answer as freely as it may; `left`: of the tick's, 0 to 1.
-double share_of_tools(const State& state, double left, const Motion& motion);
+/// O(contacts).
+double share_of_tools(State& state, double left, const Motion& motion);
 
 /// And should it not: no farther into links than any may be.
 double careful_share(const State& state, double left, double share);

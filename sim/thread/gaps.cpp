@@ -83,7 +83,7 @@ static void merge_walls(std::vector<Row>& rows, double radius, double same_way) 
 }
 
 void measure_tool_gaps(State& state) {
-    for (Contact& c : state.contacts)
+    for (Contact& c : but_walls(state.contacts))
         if (c.against == Against::capsule) measure(state, c);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/geometry/closest_points.hpp"
@@ -25,6 +26,12 @@ struct Contact {
     double place;                 ///< Where along the other's axis it was nearest then, 0..1.
     double gap = 0;               ///< What the distance is at least, as the substep begins [m].
 };
+
+/// Those of contacts as State keeps them that are not with walls, of which there are many more.
+template <class Contacts>
+auto but_walls(Contacts& contacts) {
+    return std::span(contacts.begin(), std::partition_point(contacts.begin(), contacts.end(), [](const Contact& c) { return c.against != Against::surface; }));
+}
 
 /// A contact that may touch in this substep, linearised: the point at `s` of the link must stay `target` away along
 /// `normal` from the point at `t` of the other. Pushes are totals of the substep, in metres over inverse mass.
@@ -166,13 +173,14 @@ struct State {
     // One substep.
     std::vector<Vec3> before;          ///< Nodes when the substep began.
     std::vector<double> bound;         ///< How far each node may move in this substep [m].
+    std::vector<double> room_at_walls; ///< Scratch: per node, what is free between its links and walls [m].
     std::vector<Capsule> capsules, capsules_before;
     std::vector<Row> rows;             ///< Contacts that can touch in this substep,
     std::vector<Row*> on_steel;        ///< and those of them that glide, one a link, increasing.
     std::vector<int> kept;             ///< Nodes that are held in this substep because they press.
 
     // Carried from tick to tick.
-    std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected.
+    std::vector<Contact> contacts;     ///< Every pair within `reach` when last detected: strands, then tools, then walls.
     double reach = 0;                  ///< [m]
     double moved = 0;                  ///< Sum of largest node moves (and tool moves) since then [m].
     bool is_rest_due = false;          ///< Only tools have been looked at since.

@@ -47,6 +47,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::sp
     unknown.reserve(2 * most);
     band.reserve(2 * most);
     middles.reserve(most);
+    room_at_walls.reserve(most + 1);
     // What a knot pulled tight takes, with links no longer than the thread is thick; what takes more allocates.
     surface_forces.reserve(most);
     contacts.reserve(24 * most);

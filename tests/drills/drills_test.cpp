@@ -131,7 +131,8 @@ TEST(Drills, SurgeonsIsTiedNamedAndReplayed) {
 TEST(Drills, SquareIsTiedNamedAndReplayed) {
     expect_tied("square-knot", "square", "1=1", true, "17a30586d7ab9b86");
     expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 3000", "3000");
-    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 0 WHERE name = 'knot'", "the score 'knot' differs");
+    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 0 WHERE name = 'knot'", "recorded knot square, missed, replayed knot square, passed");
+    expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'", "replayed pass_throughs 0, passed");
 }
 
 // The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips.
