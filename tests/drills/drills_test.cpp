@@ -104,13 +104,14 @@ nlohmann::json expect_tied(const std::string& drill, const std::string& knot, co
     return played.result;
 }
 
-// The drill's own motion up to a time [s], in a file of its own.
-fs::path motion_until(const std::string& drill, double until) {
+// The drill's own motion up to a time [s], in a file of its own; a tool that is `idle` stays where it starts.
+fs::path motion_until(const std::string& drill, double until, const std::string& idle = "") {
     std::ifstream whole(CARREL_SOURCE "/scenarios/drills/" + drill + ".csv");
     const fs::path part = scratch(drill) / "part.csv";
     std::ofstream out(part);
     std::string line;
-    while (std::getline(whole, line) && (!std::isdigit(line[0]) || std::stod(line) <= until)) out << line << '\n';
+    while (std::getline(whole, line) && (!std::isdigit(line[0]) || std::stod(line) <= until))
+        if (idle.empty() || line.starts_with("0,") || line.find("," + idle + ",") == std::string::npos) out << line << '\n';
     return part;
 }
 
@@ -188,6 +189,15 @@ TEST(Drills, ABiteThatIsNotTakenIsNotPassed) {
     EXPECT_EQ(value_of(played, "bites"), "0");
     EXPECT_EQ(played.result["finished"], true);
     EXPECT_EQ(played.result["passed"], false);
+}
+
+// A free edge gives way to the needle, which goes over it: held by nothing it is missed, and the resident learns where and what to do.
+TEST(Drills, AMissedBiteSaysWhereTheNeedleSlipped) {
+    const Played played = play("single-bite", "--input " + motion_until("single-bite", 5, "left").string());
+    EXPECT_EQ(value_of(played, "bites"), "1");
+    const auto& items = played.result["items"];
+    const auto bites = std::find_if(items.begin(), items.end(), [](const auto& item) { return item["name"] == "bites"; });
+    EXPECT_EQ(bites->at("why").template get<std::string>().substr(0, 55), "The needle slipped off the edge of left-end at 1.69 s: ");
 }
 
 // Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; its beginning is single-bite's, which the sanitizers see.
