@@ -6,15 +6,15 @@
 
 #include "app/bench/knots.hpp"
 #include "app/bench/throws.hpp"
+#include "sim/geometry/at.hpp"
 #include "sim/thread/thread.hpp"
 
 namespace app::bench {
 
+using sim::at;
 using sim::thread::Hold;
 using sim::thread::RodDef;
 using sim::thread::Thread;
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // In the unit of tied().
 static std::vector<Vec3> corners(const Bend& bend) {

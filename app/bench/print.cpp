@@ -37,17 +37,17 @@ void print(std::ostream& out, const Line& line, const std::array<std::size_t, co
 
 }  // namespace
 
-void print_table(std::ostream& out, const Suite& suite, const Setting& setting) {
+void print_table(std::ostream& out, const Suite& suite, const Origin& origin) {
     std::vector<Line> lines{{"id", "what", "value", "bound", "", "error", "seconds"}};
     for (const Row& row : suite.rows) lines.push_back(line_of(row));
     std::array<std::size_t, columns> widths{};
     for (const Line& line : lines)
         for (std::size_t c = 0; c < columns; ++c) widths[c] = std::max(widths[c], line[c].size());
-    out << "suite " << suite.name << ", on " << setting.machine << ", " << setting.build << '\n';
+    out << "suite " << suite.name << ", on " << origin.machine << ", " << origin.build << '\n';
     for (const Line& line : lines) print(out, line, widths);
 }
 
-void print_json(std::ostream& out, const Suite& suite, const Setting& setting) {
+void print_json(std::ostream& out, const Suite& suite, const Origin& origin) {
     using Json = nlohmann::ordered_json;
     const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
     Json rows = Json::array();
@@ -60,7 +60,7 @@ void print_json(std::ostream& out, const Suite& suite, const Setting& setting) {
                         {"pass", row.pass()},
                         {"error", or_null(row.error)},
                         {"seconds", row.seconds}});
-    const Json answer = {{"suite", suite.name}, {"machine", setting.machine}, {"build", setting.build}, {"rows", rows}};
+    const Json answer = {{"suite", suite.name}, {"machine", origin.machine}, {"build", origin.build}, {"rows", rows}};
     out << answer.dump(2) << '\n';
 }
 

@@ -30,13 +30,13 @@ double percent(const Compared& compared) { return 100 * std::abs(compared.error(
 void add_patches(Suite& suite) {
     struct Named {
         const char* name;
-        Pull pull;
+        Deformation mode;
     };
-    for (const auto& [name, pull] : {Named{"uniaxial", Pull::uniaxial}, {"equibiaxial", Pull::equibiaxial}, {"pure-shear", Pull::pure_shear}})
+    for (const auto& [name, mode] : {Named{"uniaxial", Deformation::uniaxial}, {"equibiaxial", Deformation::equibiaxial}, {"pure-shear", Deformation::pure_shear}})
         for (const double stretch : {0.8, 0.9, 1.05, 1.1, 1.2, 1.3, 1.5, 2.0}) {
             const std::string percents = whole(100 * stretch);
             suite.rows.push_back(row_of(std::string(name) + "-" + percents, std::string(name) + " pull to " + percents + " %: error of the stress", "%",
-                [&, p = pull] { return percent(patch_stress(p, stretch)); }, 2));
+                [&, p = mode] { return percent(patch_stress(p, stretch)); }, 2));
         }
 }
 
@@ -116,19 +116,19 @@ void add_far(Suite& suite) {
     suite.rows.push_back({.id = "far4-saves", .what = "mean step with 4 long cells for 8 short ones, over one with those", .value = mean(VesselPull(vessel())) / mean(pull), .unit = "ratio", .bound = {}, .error = {}});
 }
 
-struct Setting {
+struct Stepping {
     double seconds;
     int iterations, steps_per_factor;
 };
 
 // A second of pulling, step by step, against Newton's method until it has converged, in the same steps.
-void add_steps(Suite& suite, double finer, double force, const Setting& setting, const Played& exact, bool bounded) {
-    const std::string around = std::to_string(vessel(finer).around), ms = whole(1000 * setting.seconds), mN = whole(1000 * force);
-    const std::string id = "pull-n" + around + "-" + mN + "mN-step" + ms + "-moves" + std::to_string(setting.iterations) + "-factor" + std::to_string(setting.steps_per_factor);
-    const std::string what = "a second of pulling at " + mN + " mN, " + around + " cells around, steps of " + ms + " ms, " + std::to_string(setting.iterations) +
-                             (setting.iterations == 1 ? " move, " : " moves, ") + (setting.steps_per_factor ? "factored in " + std::to_string(setting.steps_per_factor) + " steps: " : "factored for each: ");
-    const Played found = play(VesselPull(vessel(finer)), {.iterations = setting.iterations, .steps_per_factor = setting.steps_per_factor}, force, setting.seconds);
-    const Apart off = apart(found, exact);
+void add_steps(Suite& suite, double finer, double force, const Stepping& stepping, const Played& exact, bool bounded) {
+    const std::string around = std::to_string(vessel(finer).around), ms = whole(1000 * stepping.seconds), mN = whole(1000 * force);
+    const std::string id = "pull-n" + around + "-" + mN + "mN-step" + ms + "-moves" + std::to_string(stepping.iterations) + "-factor" + std::to_string(stepping.steps_per_factor);
+    const std::string what = "a second of pulling at " + mN + " mN, " + around + " cells around, steps of " + ms + " ms, " + std::to_string(stepping.iterations) +
+                             (stepping.iterations == 1 ? " move, " : " moves, ") + (stepping.steps_per_factor ? "factored in " + std::to_string(stepping.steps_per_factor) + " steps: " : "factored for each: ");
+    const Played found = play(VesselPull(vessel(finer)), {.iterations = stepping.iterations, .steps_per_factor = stepping.steps_per_factor}, force, stepping.seconds);
+    const Lag off = apart(found, exact);
     const double mean = std::accumulate(found.us.begin(), found.us.end(), 0.0) / static_cast<double>(found.us.size());
     const double exact_mean = std::accumulate(exact.us.begin(), exact.us.end(), 0.0) / static_cast<double>(exact.us.size());
     const auto add = [&](const char* name, const char* of, double value, const char* unit, std::optional<double> bound = {}) {

@@ -56,25 +56,25 @@ Mesh with_own_volumes(Mesh mesh) {
     return mesh;
 }
 
-Compared patch_stress(Pull pull, double stretch) {
+Compared patch_stress(Deformation mode, double stretch) {
     constexpr double cell = 0.5e-3, edge = 2 * cell;
     const Mesh mesh = tissue::make_box({2, 2, 2}, cell);
     Tissue tissue = newton(mesh);
     constexpr int steps = 10;
     for (int s = 1; s <= steps; ++s) {
-        const double along = 1 + (stretch - 1) * s / steps, across = pull == Pull::pure_shear ? 1 : along;
+        const double along = 1 + (stretch - 1) * s / steps, across = mode == Deformation::pure_shear ? 1 : along;
         std::vector<Hold> holds;
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
             const bool left = is_at(at.x(), 0, cell), right = is_at(at.x(), edge, cell), front = is_at(at.y(), 0, cell), back = is_at(at.y(), edge, cell);
-            holds.push_back({i, {along * at.x(), across * at.y(), at.z()}, {left || right, front || (back && pull != Pull::uniaxial), is_at(at.z(), 0, cell)}});
+            holds.push_back({i, {along * at.x(), across * at.y(), at.z()}, {left || right, front || (back && mode != Deformation::uniaxial), is_at(at.z(), 0, cell)}});
         }
         settle(tissue, {.holds = holds}, cell);
     }
     double force = 0;
     for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i)
         if (is_at(mesh.nodes[static_cast<std::size_t>(i)].x(), edge, cell)) force += tissue.hold_force(i).x();
-    const double power = pull == Pull::uniaxial ? -2 : pull == Pull::equibiaxial ? -5 : -3;
+    const double power = mode == Deformation::uniaxial ? -2 : mode == Deformation::equibiaxial ? -5 : -3;
     return {force / (edge * edge * tissue.material().shear()), stretch - std::pow(stretch, power)};
 }
 

@@ -7,10 +7,10 @@
 namespace app::bench {
 
 /// Each pull of D19.
-enum class Pull { uniaxial, equibiaxial, pure_shear };
+enum class Deformation { uniaxial, equibiaxial, pure_shear };
 
 /// Engineering stress over mu of a cube of cells pulled to `stretch`, and that of an incompressible neo-Hookean.
-Compared patch_stress(Pull pull, double stretch);
+Compared patch_stress(Deformation mode, double stretch);
 
 /// How fine a tube is, and whether volume is kept by cells or, to show what that would do, by each tetrahedron.
 struct Resolution {

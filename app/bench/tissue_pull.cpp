@@ -99,7 +99,7 @@ double stiff_step(int count) {
     return 1e6 * (processor_time() - begin) / steps;
 }
 
-Apart apart(const Played& a, const Played& b) {
+Lag apart(const Played& a, const Played& b) {
     double way = 0, most = 0, squares = 0;
     for (std::size_t i = 0; i < a.edge.size(); ++i) {
         const double far = (a.edge[i] - b.edge[i]).norm();

@@ -38,9 +38,9 @@ Played play(const VesselPull& pull, const tissue::Solver& solver, double force, 
 double stiff_step(int forces);
 
 /// How far one is from another at most, and its root mean square, over how far that one goes.
-struct Apart {
+struct Lag {
     double most, mean;
 };
-Apart apart(const Played& a, const Played& b);
+Lag apart(const Played& a, const Played& b);
 
 }  // namespace app::bench

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/geometry/at.hpp"
+
 namespace scenarios::world {
 
+using sim::at;
 using sim::geometry::Vec3;
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static std::array<const Vec3*, 3> corners_of(const Triangle& t) { return {&t.a, &t.b, &t.c}; }
 

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/geometry/at.hpp"
+
 namespace sim::knot {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 // A permutation p: i -> p[i] of seven points (A5 leaves two of them alone). Products act left first.
 using Permutation = std::array<unsigned char, 7>;

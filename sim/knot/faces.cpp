@@ -1,8 +1,8 @@
 #include "sim/knot/faces.hpp"
 
-namespace sim::knot {
+#include "sim/geometry/at.hpp"
 
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+namespace sim::knot {
 
 Faces::Faces(const Diagram& diagram, int strand, int index) : diagram_(diagram) {
     number_edges();

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/geometry/at.hpp"
+
 namespace sim::knot {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct Chord {
     Vec3 middle, along;

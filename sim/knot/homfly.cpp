@@ -3,13 +3,11 @@
 #include <map>
 #include <string>
 
+#include "sim/geometry/at.hpp"
+
 namespace sim::knot {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 // First passage, on a tour from the given starts, where a crossing is met first on the wrong level.
 struct Tour {

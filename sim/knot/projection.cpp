@@ -4,13 +4,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "sim/geometry/at.hpp"
+
 namespace sim::knot {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct Edge {
     Vec3 a, b;  // x, y in the picture, z towards the viewer

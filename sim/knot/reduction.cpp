@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/knot/chain_tree.hpp"
 #include "sim/knot/curve.hpp"
@@ -78,8 +79,6 @@ class Sweep {
     }
 
   private:
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
     ChainTree link(const Polygons& polygons, const std::vector<bool>& pinned) {
         std::vector<Box> boxes;
         for (std::size_t c = 0; c < polygons.size(); ++c) {

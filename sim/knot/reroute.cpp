@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/knot/faces.hpp"
+
 namespace sim::knot {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 // For each face how many edges away it is from that in which the missing edge starts, -1 where none leads there.
 std::vector<int> distances(const Faces& faces, const std::vector<std::vector<int>>& darts_of) {

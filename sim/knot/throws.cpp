@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/geometry/at.hpp"
 #include "sim/knot/table.hpp"
 
 namespace sim::knot {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 std::optional<Throw> throw_of(const Factor& factor) {
     static const std::array<const char*, 4> torus{"3_1", "5_1", "7_1", "9_1"};

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // How far a tool or a wall may be in a link; the rest is for turns.
 static double deepest(const State& state) { return 0.8 * steel_limit * 2 * state.def.radius; }

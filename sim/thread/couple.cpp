@@ -1,16 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {
 
 using Mat3 = Eigen::Matrix3d;
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// Where the three axes of a row begin in all that is measured per axis.
-static Eigen::Index column(std::size_t row) { return static_cast<Eigen::Index>(3 * row); }
 
 // What a push at a row does to the lengths of the links around it: per link a vector, its scalar product with the push.
 static void add_effect(const State& state, PushedRow& row, int node, double weight) {
@@ -81,7 +77,7 @@ static void answer(State& state) {
     effects.setZero();
     for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
         const PushedRow& row = state.pushed_rows[c];
-        for (int i = 0; i < row.links; ++i) effects.block<1, 3>(row.place[at(i)], column(c)) = row.effect[at(i)].transpose();
+        for (int i = 0; i < row.links; ++i) effects.block<1, 3>(row.place[at(i)], axes(c)) = row.effect[at(i)].transpose();
     }
     for (Eigen::Index a = places; a-- > 0;) {
         answers.row(a) = inverse[static_cast<std::size_t>(a)].diagonal * effects.row(a);
@@ -104,7 +100,7 @@ static void add_direct(State& state, std::size_t d, Eigen::Map<Table::Matrix>& r
     for (std::size_t c = d; c < rows.size(); ++c) {
         double direct = 0;
         for (int i = 0; i < rows[c].nodes; ++i) direct += weight_at[at(rows[c].node[at(i)])] * rows[c].weight[at(i)];
-        if (direct != 0) responses.block<3, 3>(column(d), column(c)).diagonal().array() += direct;
+        if (direct != 0) responses.block<3, 3>(axes(d), axes(c)).diagonal().array() += direct;
     }
     for (int i = 0; i < rows[d].nodes; ++i) weight_at[at(rows[d].node[at(i)])] = 0;
 }
@@ -137,7 +133,7 @@ static Mat3 push_against(const Vec3& normal, const Mat3& own, double least) {
 
 static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
     PushedRow& row = state.pushed_rows[c];
-    row.own = responses.block<3, 3>(column(c), column(c));
+    row.own = responses.block<3, 3>(axes(c), axes(c));
     // However long the strand that must come along: all of it gives way by no less than this.
     const double least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
     row.mobility = std::max(least, row.row->normal.dot(row.own * row.row->normal));
@@ -148,7 +144,7 @@ static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Mat
 // a push at one row does to another, it does in return.
 static void measure_responses(State& state) {
     const std::vector<PushedRow>& rows = state.pushed_rows;
-    const Eigen::Index columns = column(rows.size());
+    const Eigen::Index columns = axes(rows.size());
     state.pushes.setZero(columns);
     invert_lengths(state);
     answer(state);
@@ -156,13 +152,13 @@ static void measure_responses(State& state) {
     auto responses = state.responses.resized(columns, columns);
     responses.setZero();
     for (std::size_t d = 0; d < rows.size(); ++d) {
-        const Eigen::Index others = columns - column(d);
+        const Eigen::Index others = columns - axes(d);
         for (int i = 0; i < rows[d].links; ++i)
-            responses.block<3, Eigen::Dynamic>(column(d), column(d), 3, others).noalias() -=
+            responses.block<3, Eigen::Dynamic>(axes(d), axes(d), 3, others).noalias() -=
                 rows[d].effect[at(i)] * answers.row(rows[d].place[at(i)]).tail(others);
         add_direct(state, d, responses);
         for (std::size_t c = 0; c < d; ++c)
-            responses.block<3, 3>(column(d), column(c)) = responses.block<3, 3>(column(c), column(d)).transpose();
+            responses.block<3, 3>(axes(d), axes(c)) = responses.block<3, 3>(axes(c), axes(d)).transpose();
         measure_own(state, d, responses);
     }
 }
@@ -171,12 +167,12 @@ static void measure_responses(State& state) {
 static double push(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
     const PushedRow& pushed = state.pushed_rows[c];
     Row& row = *pushed.row;
-    const Vec3 apart = pushed.apart + responses.middleRows<3>(column(c)) * state.pushes;
+    const Vec3 apart = pushed.apart + responses.middleRows<3>(axes(c)) * state.pushes;
     const double distance = apart.dot(row.normal);
     if (distance >= row.target && row.normal_push == 0) return 0;
     const Vec3 normal = add_normal_push(row, apart, pushed.mobility) * row.normal;
     const Vec3 slip = slip_of(row, apart + pushed.own * normal);
-    state.pushes.segment<3>(column(c)) += normal + add_tangent_push(row, slip, pushed.against * slip);
+    state.pushes.segment<3>(axes(c)) += normal + add_tangent_push(row, slip, pushed.against * slip);
     return std::max(over_goal(state, row, distance), row.slip / (slip_goal * 2 * state.def.radius));
 }
 
@@ -196,7 +192,7 @@ static void add_to_row(Row& row, const Vec3& push) {
 static void go_on_by(State& state, double again) {
     state.way *= again;
     state.pushes += state.way;
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) add_to_row(*state.pushed_rows[c].row, state.way.segment<3>(column(c)));
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) add_to_row(*state.pushed_rows[c].row, state.way.segment<3>(axes(c)));
 }
 
 // Where rows of a knot work against each other sweeps alone gain a little less each time, for hundreds of times. What each
@@ -245,7 +241,7 @@ static void move_by_pushes(State& state) {
     std::fill(change.begin(), change.end(), 0.0);
     for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
         const PushedRow& row = state.pushed_rows[c];
-        const Vec3 push = state.pushes.segment<3>(column(c));
+        const Vec3 push = state.pushes.segment<3>(axes(c));
         for (int i = 0; i < row.links; ++i) change[at(row.link[at(i)])] += row.effect[at(i)].dot(push);
         for (int i = 0; i < row.nodes; ++i)
             move[at(row.node[at(i)])] += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * push;
@@ -260,7 +256,7 @@ static void move_by_pushes(State& state) {
     for (std::size_t i = 0; i < move.size(); ++i) state.nodes[i] += share * move[i];
     for (std::size_t k = 0; k < change.size(); ++k) state.pulled[k] -= share * change[k];
     for (std::size_t c = 0; c < state.pushed_rows.size(); ++c)
-        add_to_row(*state.pushed_rows[c].row, (share - 1) * state.pushes.segment<3>(column(c)));
+        add_to_row(*state.pushed_rows[c].row, (share - 1) * state.pushes.segment<3>(axes(c)));
 }
 
 double couple(State& state) {

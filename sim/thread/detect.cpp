@@ -1,13 +1,12 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {
 
 using geometry::closest_points;
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // A link with both ends in a tool's jaws is inside that tool; every other link must keep out of it.
 static bool is_held_by(const State& state, int link, int owner) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/advance.hpp"
 #include "sim/thread/press.hpp"
 
@@ -7,8 +8,6 @@
 // that leaves is taken up by the next tick. Where a node has used up what it may move before we look around again, the rest of the
 // tick is another such step.
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // How much nearer the step may bring what a contact is of: no point of a link goes farther than one of its ends.
 static double nearing(std::span<const Vec3> step, const Contact& c) {

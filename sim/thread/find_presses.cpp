@@ -1,13 +1,12 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/portable_math.hpp"
 #include "sim/thread/press.hpp"
 
 // What of all that an elastic thread is near may press on it in a step, and where each would be.
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static void add_node(const State& state, Pair& pair, int node, double weight) {
     if (weight == 0 || state.inverse_mass[at(node)] == 0) return;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
@@ -7,8 +8,6 @@ namespace sim::thread {
 
 using geometry::ClosestPair;
 using geometry::closest_points;
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static void tighten(State& state, int link, double room) {
     state.bound[at(link)] = std::min(state.bound[at(link)], room);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <span>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/state.hpp"
 
 // Thread that lies along steel. Its tension presses every one of its links on the steel, and what they drag changes the tension: passes
@@ -10,8 +11,6 @@
 namespace sim::thread {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Along the thread and the steel, towards its last node.
 Vec3 tangent(const State& state, const Row& row) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/state.hpp"
 
 // Links where they are needed. A link is halved at its middle, which moves nothing; two are joined only where they lie
@@ -7,8 +8,6 @@
 namespace sim::thread {
 
 constexpr double most_sagitta = 0.25;  // of the radius: a link is longer then than the geometric mean of thickness and bend
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // How far links of length `l` lie off the curve that turns by `turn` [rad] at each of them: the sagitta of an arc.
 static double sagitta(double l, double turn) { return l * turn / 8; }

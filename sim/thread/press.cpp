@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/lane.hpp"
 #include "sim/thread/press.hpp"
 
@@ -11,8 +12,6 @@ namespace sim::thread {
 using geometry::Lane;
 using Mat3 = Eigen::Matrix3d;
 
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-static Eigen::Index axes(std::size_t i) { return static_cast<Eigen::Index>(3 * i); }
 
 static double contact_stiffness(const State& state) { return state.rod->def().contact_stiffness(state.rest[0]); }
 

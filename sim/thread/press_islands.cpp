@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/press.hpp"
 
 // Pieces of a cut thread that do not touch do not answer to each other's pushes. Each island of those that do is solved by itself: work is
 // quadratic in the presses solved together, and a stitch that is tied is of no concern to the next.
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Of a piece, the first that it touches or that those touch.
 static int island_of(const State& state, int piece) {

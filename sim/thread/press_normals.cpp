@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/press.hpp"
 
 namespace sim::thread {
@@ -8,8 +9,6 @@ namespace sim::thread {
 namespace {
 
 using Matrix = Eigen::Map<Table::Matrix>;
-
-Eigen::Index axes(std::size_t c) { return static_cast<Eigen::Index>(3 * c); }
 
 double normal_push(const Press& press) { return press.push.dot(press.normal); }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/lane.hpp"
 #include "sim/thread/press.hpp"
 
@@ -7,8 +8,6 @@ namespace sim::thread {
 
 using geometry::Lane;
 
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-static Eigen::Index axes(std::size_t i) { return static_cast<Eigen::Index>(3 * i); }
 
 // Four numbers of what a contact makes of its nodes, from where each has them on. Always of four nodes, what is missing with no weight.
 static Lane weighed(const Pair& pair, const double* from, const std::array<Eigen::Index, 4>& place) {

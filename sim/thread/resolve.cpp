@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/state.hpp"
 
@@ -8,8 +9,6 @@ namespace sim::thread {
 
 using geometry::ClosestPair;
 using geometry::closest_points;
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static Vec3 along(const Vec3& a, const Vec3& b, double s) { return a + s * (b - a); }
 static Vec3 on_link(const std::vector<Vec3>& nodes, int link, double s) { return along(nodes[at(link)], nodes[at(link + 1)], s); }

@@ -1,8 +1,7 @@
+#include "sim/geometry/at.hpp"
 #include "sim/thread/state.hpp"
 
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static Vec3 mix(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
 

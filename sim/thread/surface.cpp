@@ -1,9 +1,8 @@
+#include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/press.hpp"
 
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 static void find_pressed(State& state) {
     for (const Row& row : state.pressed)

@@ -1,11 +1,10 @@
 #include <algorithm>
 
+#include "sim/geometry/at.hpp"
 #include "sim/thread/state.hpp"
 
 // Which of the thread lies along steel in a substep, and what it knows from the last one.
 namespace sim::thread {
-
-static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool goes_on(const Row& row, const Row& next) { return next.against == row.against && next.other == row.other && next.link == row.link + 1; }
 
