@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/one_line.hpp"
+#include "scenarios/drill/waypoints.hpp"
 
 // The only file that knows the library for command lines: Debian's is all header and takes longer to compile than any
 // command.
@@ -68,6 +69,7 @@ void add_render(CLI::App& program, Chosen& chosen) {
 
 void add_motion(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("motion", "Turn waypoints, as a person writes them, into a motion file");
+    command->footer(std::string("\nSteps. ") + scenarios::drill::waypoint_steps);
     auto options = std::make_shared<MotionOptions>();
     command->add_option("WAYPOINTS", options->waypoints, "Steps of the tools (.waypoints)")->required();
     command->add_option("--out", options->out, "Motion file to write (.csv)")->required();

@@ -209,6 +209,7 @@ class Reader {
         bool bends = elastic, sets = false;
         read("gravity", thread.weighs), read("bending", bends), read("extension", thread.stretches), read("plastic_set", sets), read("inertia", thread.swings);
         thread.is_in_air = entry["air"];
+        for (const char* key : {"tear", "leak"}) agree_with_tissue(entry, key);
         for (const char* key : {"gravity", "bending", "extension", "plastic_set", "inertia", "air"})
             if (!elastic && entry[key])
                 document_.fail(std::string("/effects/") + key, "a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread");
@@ -217,6 +218,14 @@ class Reader {
         if (!filled_["thread"].contains("yield_percent"))
             document_.fail("/effects/plastic_set", "nothing is known of when " + thread.material + " yields, expected false, or \"yield_percent\" in the thread");
         thread.yield_strain = 0.01 * filled_["thread"]["yield_percent"].get<double>();
+    }
+
+    void agree_with_tissue(json& effects, const char* key) const {
+        const bool is_soft = effects["tissue"] == "elastic";
+        if (!effects.contains(key)) effects[key] = is_soft;
+        if (effects[key] != is_soft)
+            document_.fail(std::string("/effects/") + key, is_soft ? "walls that give way tear and leak, expected true or no such key"
+                                                                   : "rigid walls neither tear nor leak, expected false, or \"tissue\": \"elastic\"");
     }
 
     void read_needle(const json& entry) {
@@ -329,13 +338,27 @@ class Reader {
         document_.fail(pointer, "no instrument has this name", true);
     }
 
+    // What cannot be measured would pass unseen, or never pass.
+    void check_sewing(const json& entries) const {
+        const auto refuse = [&](std::initializer_list<const char*> keys, const std::string& what) {
+            for (const char* key : keys)
+                if (entries.contains(key)) document_.fail(std::string("/bands/") + key, what);
+        };
+        if (drill_.world.needle_code.empty()) refuse({"needle_deg", "bites", "bite_mm", "bite_deg"}, "the thread has no needle: give it one (\"needle\"), or leave this out");
+        if (!drill_.bands.bites) refuse({"bite_mm", "bite_deg"}, "expected \"bites\" as well, how many there must be");
+        if (drill_.world.vessels.size() != 2 || drill_.world.needle_code.empty())
+            refuse({"gap_mm", "lumen", "leak_mL_min", "lapses"}, "a join is of two vessels sewn by a needle, expected both");
+    }
+
     void read_bands() {
         const json& entries = filled_["bands"];
         Bands& bands = drill_.bands;
-        if (entries.contains("time_s")) bands.time_s = band(entries["time_s"], "/bands/time_s");
-        if (entries.contains("tension_N")) bands.tension_N = band(entries["tension_N"], "/bands/tension_N");
-        bands.pass_throughs = band(entries["pass_throughs"], "/bands/pass_throughs");
-        if (entries.contains("bites")) bands.bites = band(entries["bites"], "/bands/bites");
+        using Single = std::pair<const char*, std::optional<Band> Bands::*>;
+        for (const auto& [key, member] : {Single{"time_s", &Bands::time_s}, {"tension_N", &Bands::tension_N}, {"pass_throughs", &Bands::pass_throughs},
+                                          {"needle_deg", &Bands::needle_deg}, {"bites", &Bands::bites}, {"bite_mm", &Bands::bite_mm}, {"bite_deg", &Bands::bite_deg},
+                                          {"gap_mm", &Bands::gap_mm}, {"lumen", &Bands::lumen}, {"leak_mL_min", &Bands::leak_mL_min}, {"lapses", &Bands::lapses}})
+            if (entries.contains(key)) bands.*member = band(entries[key], std::string("/bands/") + key);
+        check_sewing(entries);
         bands.path_mm = bands_per_instrument("path_mm");
         bands.grasps = bands_per_instrument("grasps");
         bands.lag_mm = bands_per_instrument("lag_mm");

@@ -29,7 +29,9 @@ struct Goal {
 
 /// Bands of scored items, in the unit of the name. Absent: the item is shown, not judged. Lists: one per instrument.
 struct Bands {
-    std::optional<Band> time_s, tension_N, pass_throughs, bites;
+    std::optional<Band> time_s, tension_N, pass_throughs;
+    std::optional<Band> needle_deg, bites, bite_mm, bite_deg;
+    std::optional<Band> gap_mm, lumen, leak_mL_min, lapses;  ///< Of a join.
     std::vector<std::optional<Band>> path_mm, grasps, lag_mm;
 };
 

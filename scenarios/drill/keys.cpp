@@ -162,9 +162,10 @@ Shape effects() {
                           {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
                           {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")},
                           {"air", flag("Drag of the air, which halts what of an elastic thread is loose; off, that flies on."), false, false}};
-    for (const char* effect : {"twist", "tear", "leak"})
-        keys.push_back({effect, {.types = boolean, .choices = {false}, .why_only = only}, false, false});
+    keys.push_back({"twist", {.types = boolean, .choices = {false}, .why_only = only}, false, false});
     keys.push_back({"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false, "rigid"});
+    keys.push_back({"tear", flag("Bites tear out of walls that are pulled too hard. As tissue has it: elastic on, rigid off.")});
+    keys.push_back({"leak", flag("A join leaks. As tissue has it: elastic on, rigid off.")});
     return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));
 }
 
@@ -193,7 +194,14 @@ Shape bands() {
          {"lag_mm",
           per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a jaw's length.", 1000, "mm"), false,
           json::object()},
+         {"needle_deg", band("Least angle between jaws and wire when the needle is taken: 90 is right.", 90, "degrees"), false},
          {"bites", band("Bites through a whole wall that hold.", 1000, ""), false},
+         {"bite_mm", band("Each bite, from its outer end to the cut.", 100, "mm"), false},
+         {"bite_deg", band("Each bite, between needle and wall where it was first touched: 90 is straight.", 90, "degrees"), false},
+         {"gap_mm", band("Widest gap of the suture line.", 100, "mm"), false},
+         {"lumen", band("Area of the lumen at the join, over what it was.", 10, ""), false},
+         {"leak_mL_min", band("Leak of the join at 100 mmHg.", 1e6, "mL/min"), false},
+         {"lapses", band("Lapses of ten (Anastomosis Lapse Index).", 10, ""), false},
          {"pass_throughs", band("Times the thread passed through something.", 1e9, ""), false, json{{"max", 0}}}});
 }
 

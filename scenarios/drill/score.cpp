@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
+#include "scenarios/drill/judged.hpp"
+#include "scenarios/drill/score_sewing.hpp"
 #include "scenarios/drill/shape.hpp"
 #include "scenarios/drill/tie.hpp"
 
@@ -75,45 +76,6 @@ std::string why_not_tied(const Goal& goal, const Name& found) {
         return "The knot could not be named with certainty. Tie the throws one at a time and pull each flat.";
     return "The thread is tied in another knot than the " + in_words(asked) +
            " knot asked for. Tie the throws one at a time.";
-}
-
-std::string fixed(double value, int digits) {
-    char text[400];
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr};
-}
-
-// With as many digits as show that it is outside.
-std::string told_apart(double value, int digits, const Band& band) {
-    constexpr int most = 15;
-    std::string text = fixed(value, digits);
-    while (digits < most && band.holds(std::stod(text))) text = fixed(value, ++digits);
-    return text;
-}
-
-std::string in_words(const Band& band) {
-    if (band.low == band.high) return shown(band.low);
-    if (band.low > 0 && std::isinf(band.high)) return "at least " + shown(band.low);
-    if (band.low > 0) return shown(band.low) + " to " + shown(band.high);
-    return "at most " + shown(band.high);
-}
-
-struct Reading {
-    std::string name, title, unit;
-    double value;
-    int digits;
-    double at_s;
-    std::string too_much, too_little;
-};
-
-ScoreItem judged(const Reading& reading, const std::optional<Band>& band) {
-    ScoreItem item{
-        reading.name, reading.title, fixed(reading.value, reading.digits), reading.unit, "", true, reading.at_s, ""};
-    if (!band) return item;
-    item.band = in_words(*band);
-    item.passed = band->holds(reading.value);
-    if (!item.passed) item.value = told_apart(reading.value, reading.digits, *band);
-    if (!item.passed) item.why = reading.value > band->high ? reading.too_much : reading.too_little;
-    return item;
 }
 
 void score_knot(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
@@ -249,49 +211,6 @@ void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
     if (measures.off_tissue_mm >= 0) show("off_tissue", "Knot off the vessel", measures.off_tissue_mm);
 }
 
-// A bite goes between outside and lumen of one wall; the rest is shown.
-void score_bites(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
-    double held = 0;
-    for (std::size_t i = 0; i < measures.bites.size(); ++i) {
-        const world::BiteMeasure& bite = measures.bites[i];
-        const std::string number = std::to_string(i + 1), of = ", " + bite.vessel;
-        ScoreItem item{"bite_" + number, "Bite " + number + of, bite.from + " to " + (bite.to.empty() ? "nowhere" : bite.to), "", "between outer and inner", true, measures.duration_s, ""};
-        if (bite.withdrawn) item.why = "The needle was drawn back out of the wall by the way it came. Follow its curve through it.";
-        else if (bite.to.empty()) item.why = "The needle went into the wall and not through it. Follow its curve until the tip is out.";
-        else if (bite.partial) item.why = "The stitch does not go through the whole wall: it holds less, and leaves an edge in the lumen.";
-        else if (bite.both_walls) item.why = "The needle took the wall across as well, which shuts the lumen. Keep its tip in sight.";
-        else if (bite.torn) item.why = "The stitch was torn out to the cut. Pull in the direction of the stitch, and less.";
-        item.passed = item.why.empty();
-        held += item.passed;
-        items.push_back(item);
-        items.push_back(judged({"bite_size_" + number, "Bite " + number + of + ", from the cut", "mm", bite.size_mm, 2, measures.duration_s, "", ""}, {}));
-        items.push_back(judged({"bite_angle_" + number, "Bite " + number + of + ", needle to wall", "degrees", bite.to_wall_deg, 0, measures.duration_s, "", ""}, {}));
-    }
-    if (!drill.bands.bites) return;
-    const bool is_missing = static_cast<double>(measures.bites.size()) < drill.bands.bites->low;
-    const std::string too_few = is_missing && !measures.slipped.empty() ? "The needle slipped off the edge of " + measures.slipped + " at " + fixed(measures.slipped_s, 2) + " s: bite farther from it, or hold the edge."
-                                : measures.bites.empty()  ? "No wall was pierced: hold the needle, and follow its curve through each."
-                                                          : "Bites are missing, or do not hold: see them one by one.";
-    items.push_back(judged({"bites", "Bites, each through one whole wall", "", held, 0, measures.duration_s, "More bites than needed: each weakens the wall.", too_few},
-                           drill.bands.bites));
-}
-
-// Shown, not judged: a drill of one bite leaves ends that gape.
-void score_join(const world::Measures& measures, std::vector<ScoreItem>& items) {
-    const world::JoinMeasure& join = measures.join;
-    if (join.lapses.empty()) return;
-    const auto show = [&](const std::string& name, const std::string& title, const char* unit, double value) {
-        items.push_back(judged({name, title, unit, value, 2, measures.duration_s, "", ""}, {}));
-    };
-    show("gap", "Widest gap of the suture line", "mm", join.gap_mm);
-    show("lumen", "Lumen, over what it was", "", join.lumen_ratio);
-    show("leak", "Leak at 100 mmHg", "mL/min", join.leak_ml_min);
-    for (const world::LapseMeasure& lapse : join.lapses) {
-        const std::string why = lapse.committed ? lapse.measure + ": " + fixed(lapse.value, 2) + ", a lapse beyond " + fixed(lapse.limit, 2) + "." : "";
-        items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, measures.duration_s, why});
-    }
-}
-
 void score_tools(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     const auto& tools = drill.world.instruments;
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -342,8 +261,9 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
         score_around(goal, measures, items);
     }
     score_lie(measures, items);
+    score_needle(drill, measures, items);
     score_bites(drill, measures, items);
-    score_join(measures, items);
+    score_join(drill, measures, items);
     items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
                             "The drill took longer than allowed.", "The drill was ended before a tie can be done."},
                            drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));

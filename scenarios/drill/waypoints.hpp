@@ -7,21 +7,26 @@
 
 namespace scenarios::drill {
 
-/// A choreography of tools as a person writes it, one step a line; '#' starts a comment. mm, s, mm/s.
-///
-///   tool left pointing 1 0 -0.35 opening 0.35 0 1    how a tool is turned from the next step on: from handle to tip,
-///                                                     and the way its jaws open (made square to it)
-///   start left -7 37 42 jaw 0.6 right 22 0 30 jaw 0  where every tool is at time 0
-///   speed 60                                         of the fastest tool in the steps that follow, mm/s; 50 until one is given
-///   go left -8 30 36 right -18 0 20                  in a straight line, all tools arriving together
-///   turn right 120 about 0 1 0 through 0 0 5 in 2    round an axis through a place, so many degrees, the tool and how it is turned: as
-///                                                     a needle is driven
-///   jaw right 0 in 0.3                               opens or closes
-///   wait 0.5
-///   frame 0 0 2 turned 90 about 0 0 1                where places and directions of the steps that follow are seen from, as from a vessel
-///   steps stitch ... end                             a line each: names the steps between
-///   play stitch                                      as if they stood here, their frames seen from the frame here, which is back after them
-///   mirror y                                         from here on y of places is negated, turns are the other way round
+/// What a waypoint file may say, for who writes one.
+inline constexpr const char* waypoint_steps = R"(One step a line; '#' starts a comment; mm, s, mm/s.
+
+  tool left pointing 1 0 -0.35 opening 0.35 0 1    how a tool is turned from the next step on: from handle to
+                                                   tip, and the way its jaws open (made square to it)
+  start left -7 37 42 jaw 0.6 right 22 0 30 jaw 0  where every tool is at time 0; jaw 0 is closed, 1 open
+  speed 60                                         of the fastest tool in the steps that follow; else 50
+  go left -8 30 36 right -18 0 20                  in a straight line, all tools arriving together
+  turn right 120 about 0 1 0 through 0 0 5 in 2    round an axis through a place, by degrees, place and turn of
+                                                   the tool: as a needle is driven
+  jaw right 0 in 0.3                               opens or closes
+  wait 0.5
+  frame 0 0 2 turned 90 about 0 0 1                where places and directions of the steps that follow are seen
+                                                   from, as from a vessel
+  steps stitch ... end                             a line each: names the steps between
+  play stitch                                      as if they stood here, their frames seen from the frame here,
+                                                   which is back after them
+  mirror y                                         from here on y of places is negated, turns go the other way)";
+
+/// A choreography of tools as a person writes it, by waypoint_steps.
 struct Waypoints {
     std::vector<std::string> instruments;  ///< In order of `start`.
     Motion motion;

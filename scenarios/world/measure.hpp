@@ -54,6 +54,7 @@ struct Measures {
     double off_tissue_mm = -1;                 ///< From the knot to the tube it goes round; -1 where it goes round none.
     std::vector<std::string> around;           ///< Vessels that the knot's loop goes round.
     std::vector<TieMeasure> ties;              ///< At the end, piece by piece of the thread.
+    std::optional<Moment> needle_deg;          ///< Least angle between jaws and wire of all grasps of a needle, 90 is right; none: never held.
     std::vector<BiteMeasure> bites;            ///< At the end, vessel by vessel.
     std::string slipped;                       ///< At the end, the vessel that the needle slipped off first; empty: none,
     double slipped_s = 0;                      ///< and when.

@@ -36,8 +36,10 @@ bool World::take(Needle& needle, int number, const JawRoom& room) {
     if (!along) return false;
     const Holder holder{number, seen, *along};
     (needle.holder.tool < 0 ? needle.holder : needle.next) = holder;
+    const double degrees = degrees_to_jaws(seen, *along);
+    if (!measures_.needle_deg || degrees < measures_.needle_deg->value) measures_.needle_deg = Moment{degrees, time_s()};
     char what[64];
-    std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees_to_jaws(seen, *along));
+    std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees);
     log("needle_grasp", what, 1e3 * *along);
     return true;
 }

@@ -203,9 +203,7 @@ TEST(Score, ALapseTellsItsNumber) {
 
 // A suture with a stitch left out passed: nothing asked for it. What runs along in the wall or was torn out does not count.
 TEST(Score, BitesThatHoldAreCounted) {
-    std::string text = sample::drill;
-    const std::string bands = "\"bands\": {";
-    text.replace(text.find(bands), bands.size(), bands + "\"bites\": [2, 2], ");
+    const std::string text = sample::sewn("\"bites\": [2, 2]");
     world::Measures m = good();
     m.bites = {{"left", "outer", "inner"}, {"right", "inner", "outer"}};
     EXPECT_TRUE(item("bites", m, text).passed);
@@ -221,4 +219,42 @@ TEST(Score, BitesThatHoldAreCounted) {
     EXPECT_TRUE(item("bites", m, text).why.starts_with("No wall was pierced"));
     m.slipped = "left", m.slipped_s = 1.734;
     EXPECT_TRUE(item("bites", m, text).why.starts_with("The needle slipped off the edge of left at 1.73 s"));
+}
+
+// An instructor asks for bites of one to one and a half millimetres, straight through the wall.
+TEST(Score, EachBiteIsJudgedBySizeAndAngle) {
+    const std::string text = sample::sewn(R"("bites": [2, 2], "bite_mm": [1, 1.5], "bite_deg": [60, 90])");
+    world::Measures m = good();
+    m.bites = {{"carotid", "outer", "inner", 1.2, 0.5, 80}, {"graft", "inner", "outer", 1.2, 0.5, 80}};
+    for (const char* name : {"bite_size_1", "bite_size_2", "bite_angle_1", "bite_angle_2"}) EXPECT_TRUE(item(name, m, text).passed) << name;
+    m.bites[0].size_mm = 0.8, m.bites[1].size_mm = 1.6, m.bites[1].to_wall_deg = 40;
+    EXPECT_TRUE(item("bite_size_1", m, text).why.starts_with("The bite is nearer to the cut"));
+    EXPECT_TRUE(item("bite_size_2", m, text).why.starts_with("The bite is wider"));
+    EXPECT_TRUE(item("bite_angle_2", m, text).why.starts_with("The needle met the wall aslant"));
+    EXPECT_EQ(item("bite_size_1", m, sample::sewn("\"bites\": [2, 2]")).band, "") << "shown where it is not asked for";
+}
+
+TEST(Score, TheNeedleIsJudgedByHowItIsHeld) {
+    const std::string text = sample::sewn("\"needle_deg\": [70, 90]");
+    world::Measures m = good();
+    EXPECT_EQ(item("needle_angle", m, text).why, "The needle was never held.");
+    m.needle_deg = world::Moment{55, 3};
+    EXPECT_TRUE(item("needle_angle", m, text).why.starts_with("The needle was held askew"));
+    EXPECT_EQ(item("needle_angle", m, text).at_s, 3);
+    m.needle_deg->value = 85;
+    EXPECT_TRUE(item("needle_angle", m, text).passed);
+}
+
+// What is never joined must not pass for a join without a gap.
+TEST(Score, AJoinIsJudgedWhereOneIsAskedFor) {
+    const std::string text = sample::sewn(R"("gap_mm": {"max": 0.2}, "lumen": [0.8, 1.2], "leak_mL_min": {"max": 100}, "lapses": {"max": 1})");
+    world::Measures m = good();
+    EXPECT_FALSE(item("join", m, text).passed);
+    m.join = {0.1, 0.9, 80, {{"tear", "hole", 3, 2, true}, {"overlap", "overlap, in walls", 0.4, 1, false}}};
+    for (const char* name : {"gap", "lumen", "leak", "lapses"}) EXPECT_TRUE(item(name, m, text).passed) << name;
+    m.join.gap_mm = 0.3, m.join.lumen_ratio = 0.7, m.join.leak_ml_min = 120, m.join.lapses[1].committed = true;
+    for (const char* name : {"gap", "lumen", "leak", "lapses"}) {
+        EXPECT_FALSE(item(name, m, text).passed) << name;
+        EXPECT_NE(item(name, m, text).why, "") << name;
+    }
 }

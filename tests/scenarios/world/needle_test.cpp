@@ -97,6 +97,10 @@ TEST(Needle, TellsAtWhatAngleItIsHeld) {
         for (int t = 0; t < 10; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
         ASSERT_EQ(count(world, "needle_grasp"), 1u);
         EXPECT_EQ(world.events().back().what, aslant == 0 ? "right at 90 degrees" : "right at 60 degrees");
+        ASSERT_TRUE(world.measures().needle_deg);
+        EXPECT_NEAR(world.measures().needle_deg->value, 90 - aslant, 0.5);  // as the event rounds
+        for (int t = 0; t < 20; ++t) scene.tools[0].jaw = t < 10, world.tick(scene.tools);
+        EXPECT_NEAR(world.measures().needle_deg->value, 90 - aslant, 0.5) << "taken again alike";
     }
 }
 
