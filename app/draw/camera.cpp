@@ -10,14 +10,19 @@ namespace app::draw {
 constexpr double field_of_view = 0.524;
 const Vec3 towards_eye = Vec3(0, -0.78, 0.62).normalized();
 
-// A mirror image of the usual way where that would look through what lies below.
-Camera close_view(const Vec3& point, double radius, const Vec3& outwards) {
-    const Vec3 towards = towards_eye - 2 * std::min(0.0, towards_eye.dot(outwards)) * outwards;
+static Camera seen_from(const Vec3& towards, const Vec3& point, double radius) {
     return {point + radius / std::sin(field_of_view / 2) * towards, point, Vec3::UnitZ(), field_of_view};
 }
 
+// A mirror image of the usual way where that would look through what lies below.
+Camera close_view(const Vec3& point, double radius, const Vec3& outwards) {
+    Camera camera = seen_from(towards_eye - 2 * std::min(0.0, towards_eye.dot(outwards)) * outwards, point, radius);
+    camera.cut_off = 1 - 1.5 * std::sin(field_of_view / 2);
+    return camera;
+}
+
 // 18.5 mm up and down are 25 mm to either side, with room to spare, in a picture of 3 to 2.
-Camera default_view() { return close_view(Vec3::Zero(), 18.5e-3, Vec3::Zero()); }
+Camera default_view() { return seen_from(towards_eye, Vec3::Zero(), 18.5e-3); }
 
 // In the camera's axes a point p is within the right edge when p.x + t p.z <= c.x + t c.z, c the eye and t the tangent
 // of half the field; so the edges are each tight for one point, and the eye stands where the tighter pair meets.
@@ -51,7 +56,7 @@ Eigen::Matrix3d axes_of(const Camera& camera) {
 
 double half_height(const Camera& camera) { return std::tan(camera.field_of_view / 2); }
 
-double near_plane(const Camera& camera) { return (camera.position - camera.target).norm() / 50; }
+double near_plane(const Camera& camera) { return (camera.position - camera.target).norm() * camera.cut_off; }
 double far_plane(const Camera& camera) { return (camera.position - camera.target).norm() * 50; }
 
 Eigen::Matrix4d clip_from_world(const Camera& camera, double aspect) {

@@ -196,6 +196,7 @@ void check(const Picture& picture) {
     if (!(sight.norm() > 0) || !(lean > 0) || !(camera.field_of_view > 0) || !(camera.field_of_view < std::numbers::pi))
         throw DrawError("a camera must look from one place at another, up not along its sight, its field of view " +
                         std::string("between 0 and pi"));
+    if (!(camera.cut_off > 0) || !(camera.cut_off < 1)) throw DrawError("a camera's cut_off must be between 0 and 1");
 }
 
 Image read(Gpu& gpu) {

@@ -14,6 +14,7 @@ using sim::geometry::Vec3;
 struct Camera {
     Vec3 position, target, up = Vec3::UnitZ();  ///< [m], world; up has no unit.
     double field_of_view = 0.5;                 ///< Vertical [rad], in (0, pi).
+    double cut_off = 0.02;                      ///< What is nearer than this share of the way to the target is not drawn, in (0, 1).
 };
 
 /// The operative field, 25 mm to either side of the origin, from the front (-y) and above.

@@ -115,6 +115,14 @@ std::optional<Snapshot> Session::bites_snapshot(std::string caption) const {
     return near;
 }
 
+// About the hole that the needle made last in that vessel.
+Snapshot Session::bite_snapshot(const std::string& vessel_name, std::string caption) const {
+    Snapshot near = snapshot(std::move(caption));
+    for (const auto& vessel : world_.vessels())
+        if (vessel.name == vessel_name && vessel.skin.holes() > 0) near.close_up = CloseUp{vessel.skin.centre(vessel.skin.holes() - 1), drill_.world.needle.radius};
+    return near;
+}
+
 std::optional<Snapshot> Session::close_snapshot() {
     if (auto knot = knot_snapshot("the knot at the end")) return knot;
     return bites_snapshot("the bites at the end");
@@ -144,8 +152,8 @@ void Session::sample() {
     samples_.push_back(std::move(sample));
 }
 
-// A picture whenever something was grasped or let go or the knot took another name that surgeons use; the report shows the
-// moment.
+// A picture whenever something was grasped or let go, the needle went through a wall or the knot took another name that surgeons use; the
+// report shows the moment.
 void Session::watch_events() {
     constexpr std::size_t most_pictures = 24;
     for (; events_seen_ < world_.events().size(); ++events_seen_) {
@@ -154,6 +162,9 @@ void Session::watch_events() {
         if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
         if (event.kind == "cut") key_moments_.push_back(snapshot(event.what + " tool cuts the thread"));
         if (event.kind == "break") key_moments_.push_back(snapshot("the " + event.what + " breaks"));
+        if (event.kind == "through") key_moments_.push_back(bite_snapshot(event.what, "the needle is through the wall of " + event.what));
+        if (event.kind == "slipped") key_moments_.push_back(snapshot("the needle slips off the edge of " + event.what));
+        if (event.kind == "torn") key_moments_.push_back(bite_snapshot(event.what, "a bite tears out of " + event.what));
         if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
         const bool surgeons_know = event.what == "0_1" || !world_.measures().knot.surgical.empty();
         if (event.kind == "knot" && surgeons_know) {

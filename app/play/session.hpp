@@ -48,6 +48,7 @@ class Session {
 
   private:
     std::optional<Snapshot> knot_snapshot(std::string caption);
+    Snapshot bite_snapshot(const std::string& vessel_name, std::string caption) const;
     std::optional<Snapshot> bites_snapshot(std::string caption) const;
     void sample();
     void watch_events();

@@ -85,6 +85,19 @@ TEST(Draw, ACloseViewIsFromOutside) {
     }
 }
 
+// A forceps that reached over the needle filled the picture of its bite.
+TEST(Draw, ACloseViewIsNotHiddenByAToolInFront) {
+    Picture picture = thread_picture(line({-5e-3, 0, 0}, {5e-3, 0, 0}), 0.2e-3);
+    picture.camera = close_view(Vec3::Zero(), 3e-3, Vec3::Zero());
+    const auto is_seen = [&] { return at(render(canvas(), picture), 240, 160).suture(); };
+    ASSERT_TRUE(is_seen());
+    const auto tip = [](const instruments::Pose& pose) { return instruments::parts_at(instruments::shape_of(instruments::Kind::forceps), pose, 0)[instruments::jaw_plus].b; };
+    picture.tools = {{instruments::Kind::forceps, {0.7 * picture.camera.position - tip({}), instruments::Quat::Identity()}, 0}};
+    EXPECT_TRUE(is_seen());
+    picture.camera.cut_off = Camera().cut_off;
+    EXPECT_FALSE(is_seen()) << "the tool is there";
+}
+
 TEST(Draw, ThreadIsWhereTheCameraProjectsItAndAsThick) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -260,6 +273,9 @@ TEST(Draw, ImpossiblePicturesAreRefused) {
     EXPECT_THROW(render(canvas(), blind), DrawError);
     blind.camera = default_view();
     blind.camera.up = blind.camera.position;
+    EXPECT_THROW(render(canvas(), blind), DrawError);
+    blind.camera = default_view();
+    blind.camera.cut_off = 0;
     EXPECT_THROW(render(canvas(), blind), DrawError);
     EXPECT_THROW(encode_png({2, 2, {1, 2, 3}}), DrawError);
 }
