@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenarios/drill/bands.hpp"
 #include "scenarios/drill/direction.hpp"
 #include "scenarios/drill/json_text.hpp"
 #include "scenarios/drill/keys.hpp"
@@ -53,7 +54,7 @@ class Reader {
         read_thread();
         read_effects();
         read_goals();
-        read_bands();
+        drill_.bands = read_bands(document_, filled_["bands"], drill_.world);
         drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
         return drill_;
     }
@@ -283,14 +284,6 @@ class Reader {
         }
     }
 
-    Band band(const json& entry, const std::string& pointer) const {
-        if (entry.is_object()) return {0, entry["max"]};
-        const Band read{entry[0], entry[1]};
-        if (read.low > read.high)
-            document_.fail(pointer, "expected [low, high], found " + shown(read.low) + " above " + shown(read.high));
-        return read;
-    }
-
     static std::string names_of(const std::vector<world::VesselDef>& vessels) {
         std::string text;
         for (const auto& vessel : vessels) text += (text.empty() ? ", expected \"" : " or \"") + vessel.name + "\"";
@@ -310,58 +303,11 @@ class Reader {
             if (entry.contains("throws") && entry["throws"].is_string()) goal.notation = entry["throws"];
             if (entry.contains("throws") && entry["throws"].is_number())
                 goal.throws = static_cast<int>(entry["throws"].get<double>());
-            if (entry.contains("tails_mm")) goal.tails_mm = band(entry["tails_mm"], place + "/tails_mm");
+            if (entry.contains("tails_mm")) goal.tails_mm = read_band(document_, entry["tails_mm"], place + "/tails_mm");
             goal.times = static_cast<int>(entry["times"].get<double>());
             if (const GoalFault fault = fault_of(goal, !vessels.empty()); !fault.what.empty()) document_.fail(place + "/" + fault.key, fault.what);
             drill_.goals.push_back(goal);
         }
-    }
-
-    std::vector<std::optional<Band>> bands_per_instrument(const std::string& key) const {
-        const json& entries = filled_["bands"][key];
-        std::vector<std::optional<Band>> read;
-        std::size_t used = 0;
-        for (const auto& instrument : drill_.world.instruments) {
-            read.emplace_back();
-            if (!entries.contains(instrument.name)) continue;
-            read.back() = band(entries[instrument.name], "/bands/" + key + "/" + instrument.name);
-            ++used;
-        }
-        if (used == entries.size()) return read;
-        for (const auto& [name, entry] : entries.items()) check_known(name, "/bands/" + key + "/" + pointer_part(name));
-        return read;
-    }
-
-    void check_known(const std::string& name, const std::string& pointer) const {
-        for (const auto& instrument : drill_.world.instruments)
-            if (instrument.name == name) return;
-        document_.fail(pointer, "no instrument has this name", true);
-    }
-
-    // What cannot be measured would pass unseen, or never pass.
-    void check_sewing(const json& entries) const {
-        const auto refuse = [&](std::initializer_list<const char*> keys, const std::string& what) {
-            for (const char* key : keys)
-                if (entries.contains(key)) document_.fail(std::string("/bands/") + key, what);
-        };
-        if (drill_.world.needle_code.empty()) refuse({"needle_deg", "bites", "bite_mm", "bite_deg"}, "the thread has no needle: give it one (\"needle\"), or leave this out");
-        if (!drill_.bands.bites) refuse({"bite_mm", "bite_deg"}, "expected \"bites\" as well, how many there must be");
-        if (drill_.world.vessels.size() != 2 || drill_.world.needle_code.empty())
-            refuse({"gap_mm", "lumen", "leak_mL_min", "lapses"}, "a join is of two vessels sewn by a needle, expected both");
-    }
-
-    void read_bands() {
-        const json& entries = filled_["bands"];
-        Bands& bands = drill_.bands;
-        using Single = std::pair<const char*, std::optional<Band> Bands::*>;
-        for (const auto& [key, member] : {Single{"time_s", &Bands::time_s}, {"tension_N", &Bands::tension_N}, {"pass_throughs", &Bands::pass_throughs},
-                                          {"needle_deg", &Bands::needle_deg}, {"bites", &Bands::bites}, {"bite_mm", &Bands::bite_mm}, {"bite_deg", &Bands::bite_deg},
-                                          {"gap_mm", &Bands::gap_mm}, {"lumen", &Bands::lumen}, {"leak_mL_min", &Bands::leak_mL_min}, {"lapses", &Bands::lapses}})
-            if (entries.contains(key)) bands.*member = band(entries[key], std::string("/bands/") + key);
-        check_sewing(entries);
-        bands.path_mm = bands_per_instrument("path_mm");
-        bands.grasps = bands_per_instrument("grasps");
-        bands.lag_mm = bands_per_instrument("lag_mm");
     }
 
     const JsonText& document_;
