@@ -30,13 +30,12 @@ std::string with_unit(const std::string& value, const std::string& unit) {
 }
 
 std::string verdict(const Result& result) {
-    const auto missed =
-        std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.passed; });
+    const auto judged = std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.band.empty(); });
+    const auto missed = std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.passed; });
     std::string out = "<h1>" + escaped(result.drill_title) + "</h1>\n<p class=\"verdict " +
                       (!result.finished ? "fail\">✗ Broken off, not finished" : result.passed ? "pass\">✓ Passed" : "fail\">✗ Not passed") + "</p>\n";
     if (missed > 0)
-        out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(result.items.size()) +
-               " items outside their band.</p>\n";
+        out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(judged) + " judged items outside their band.</p>\n";
     if (!result.surgical.empty() || !result.knot.empty()) {
         const bool is_tied = !result.surgical.empty() || result.knot != "0_1";
         out += is_tied ? "<p class=\"tied\">Tied: <strong>" + escaped(result.surgical.empty() ? result.knot : result.surgical) + "</strong>"
