@@ -17,7 +17,7 @@ struct ScoreItem {
     std::string band;      ///< As shown: "square", "3 to 8", "at most 120"; empty: measured, not judged.
     bool passed = false;
     double at_s = 0;       ///< When it was decided or reached its value [s].
-    std::string why;       ///< If failed: one sentence for the resident. Else empty.
+    std::string why;       ///< If failed: one sentence for the resident. Of a lapse, its number and limit. Else empty.
 };
 
 /// State of the scene every 10 ms of simulated time, for the timeline.

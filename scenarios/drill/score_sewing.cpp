@@ -66,8 +66,8 @@ void score_join(const Drill& drill, const world::Measures& measures, std::vector
     const auto committed = std::count_if(join.lapses.begin(), join.lapses.end(), is_committed);
     items.push_back(judged({"lapses", "Lapses, of ten", "", static_cast<double>(committed), 0, at_s, "There are more lapses than allowed: each is named with its number.", ""}, bands.lapses));
     for (const world::LapseMeasure& lapse : join.lapses) {
-        const std::string why = lapse.committed ? lapse.measure + ": " + fixed(lapse.value, 2) + ", a lapse beyond " + fixed(lapse.limit, 2) + "." : "";
-        items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, at_s, why});
+        const std::string number = lapse.measure + ": " + fixed(lapse.value, 2) + "; limit " + fixed(lapse.limit, 2) + ".";
+        items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, at_s, number});
     }
 }
 

@@ -196,9 +196,9 @@ TEST(Score, ItemsFailAlone) {
 TEST(Score, ALapseTellsItsNumber) {
     world::Measures m = good();
     m.join.lapses = {{"tear", "hole, in diameters of the thread", 3.518, 2, true}, {"overlap", "overlap, in walls", 0.4, 1, false}};
-    EXPECT_EQ(item("lapse: tear", m).why, "hole, in diameters of the thread: 3.52, a lapse beyond 2.00.");
+    EXPECT_EQ(item("lapse: tear", m).why, "hole, in diameters of the thread: 3.52; limit 2.00.");
     EXPECT_EQ(item("lapse: overlap", m).value, "no");
-    EXPECT_EQ(item("lapse: overlap", m).why, "");
+    EXPECT_EQ(item("lapse: overlap", m).why, "overlap, in walls: 0.40; limit 1.00.") << "how near it came";
 }
 
 // A suture with a stitch left out passed: nothing asked for it. What runs along in the wall or was torn out does not count.
