@@ -13,14 +13,14 @@ constexpr double degree = EIGEN_PI / 180;
 struct Test {
     const char* measure;
     double value, limit;
-    bool least = false;  // the limit is from below
-    bool fails() const { return least ? value < limit : value > limit; }
+    bool at_least = false;
+    bool fails() const { return at_least ? value < limit : value > limit; }
 };
 
 Lapse lapse(const char* name, std::initializer_list<Test> tests) {
     const auto found = std::find_if(tests.begin(), tests.end(), [](const Test& test) { return test.fails(); });
     const Test& worst = found != tests.end() ? *found : *tests.begin();
-    return {name, worst.measure, worst.value, worst.limit, worst.fails()};
+    return {name, worst.measure, worst.value, worst.limit, worst.at_least, worst.fails()};
 }
 
 template <class All, class Value>

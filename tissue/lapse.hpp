@@ -28,6 +28,7 @@ struct Lapse {
     const char* name;
     const char* measure = "";            ///< What value and limit are of: of several the first that is over its limit, else the first.
     double value = 0, limit = 0;         ///< The worst of the join.
+    bool at_least = false;               ///< The limit is from below.
     bool committed = false;
 };
 

@@ -53,14 +53,20 @@ bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
     return !recording.finished || (!hashes.empty() && hashes.back().tick == recording.ticks());
 }
 
-// Or a recording could be given another verdict: the states say nothing of what was asked.
-void compare_scores(const std::string& file, const std::vector<scenarios::drill::ScoreItem>& stored, const std::vector<scenarios::drill::ScoreItem>& found) {
-    const auto said = [](const auto& items, std::size_t i) {
-        if (i >= items.size()) return std::string("nothing");
-        return items[i].name + " " + items[i].value + (items[i].band.empty() ? "" : items[i].passed ? ", passed" : ", missed");
-    };
-    for (std::size_t i = 0; i < std::max(stored.size(), found.size()); ++i)
-        if (said(stored, i) != said(found, i)) throw CheckFailed(file + ": error: the scores differ, recorded " + said(stored, i) + ", replayed " + said(found, i));
+std::string said(const scenarios::drill::ScoreItem& item) {
+    return item.name + " (" + item.title + ") " + item.value + " " + item.unit + ", asked \"" + item.band + "\", " + (item.passed ? "passed" : "missed") + " at " + std::to_string(item.at_s) + " s, \"" + item.why + "\"";
+}
+
+std::string said(const scenarios::world::Event& event) { return event.kind + " " + event.what + " " + std::to_string(event.value) + " at " + std::to_string(event.t_s) + " s"; }
+
+// Or a recording could be given another verdict or course: the states say nothing of what was asked.
+template <class All>
+void compare(const std::string& file, const char* what, const All& stored, const All& found) {
+    for (std::size_t i = 0; i < std::max(stored.size(), found.size()); ++i) {
+        const auto at = [i](const All& all) { return i < all.size() ? said(all[i]) : "nothing"; };
+        const bool is_same = i < stored.size() && i < found.size() && stored[i] == found[i];
+        if (!is_same) throw CheckFailed(file + ": error: the " + what + " differ, recorded " + at(stored) + ", replayed " + at(found));
+    }
 }
 
 }  // namespace
@@ -81,10 +87,13 @@ int replay_command(const ReplayOptions& options) {
     if (options.verify && !all_hashes_are_there(recording, compared))
         throw InputFault(options.recording + ": error: damaged recording, only " + std::to_string(compared) +
                          " of its state hashes belong to its " + std::to_string(recording.ticks()) + " ticks");
-    if (options.verify && recording.finished) compare_scores(options.recording, recording.scores, result.items);
+    if (options.verify && recording.finished) {
+        compare(options.recording, "scores", recording.scores, result.items);
+        compare(options.recording, "events", recording.events, result.events);
+    }
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
-                  << (recording.finished ? " stored hashes equal, and all scores\n" : " stored hashes equal; it was broken off there, not finished\n");
+                  << (recording.finished ? " stored hashes equal, and all scores and events\n" : " stored hashes equal; it was broken off there, so that no score counts\n");
     return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenarios/drill/names.hpp"
 #include "scenarios/drill/shape.hpp"
 
 namespace scenarios::drill {
@@ -18,7 +19,7 @@ static std::vector<std::optional<Band>> per_instrument(const JsonText& document,
     for (const auto& [name, entry] : entries.items()) {
         const auto found = std::find_if(world.instruments.begin(), world.instruments.end(), [&, &named = name](const auto& tool) { return tool.name == named; });
         const std::string place = pointer + "/" + pointer_part(name);
-        if (found == world.instruments.end()) document.fail(place, "no instrument has this name", true);
+        if (found == world.instruments.end()) document.fail(place, "no instrument has this name, expected " + names_of(world.instruments), true);
         read[static_cast<std::size_t>(found - world.instruments.begin())] = read_band(document, entry, place);
     }
     return read;
@@ -32,6 +33,7 @@ static void check_sewing(const JsonText& document, const json& entries, const wo
     };
     const bool has_needle = !world.needle_code.empty();
     if (!has_needle) refuse({"needle_deg", "bites", "bite_mm", "bite_deg"}, "the thread has no needle: give it one (\"needle\"), or leave this out");
+    if (world.vessels.empty()) refuse({"bites", "bite_mm", "bite_deg"}, "there is no vessel to bite: add one, or leave this out");
     if (!entries.contains("bites")) refuse({"bite_mm", "bite_deg"}, "expected \"bites\" as well, how many there must be");
     if (!has_needle || world.vessels.size() != 2) refuse({"gap_mm", "lumen", "leak_mL_min", "lapses"}, "a join is of two vessels sewn by a needle, expected both");
 }

@@ -7,6 +7,7 @@
 #include "scenarios/drill/json_text.hpp"
 #include "scenarios/drill/keys.hpp"
 #include "scenarios/drill/materials.hpp"
+#include "scenarios/drill/names.hpp"
 #include "scenarios/drill/needles.hpp"
 #include "scenarios/drill/start_path.hpp"
 #include "scenarios/drill/start_walls.hpp"
@@ -55,6 +56,8 @@ class Reader {
         read_effects();
         read_goals();
         drill_.bands = read_bands(document_, filled_["bands"], drill_.world);
+        if (drill_.bands.time_s && drill_.bands.time_s->low > drill_.time_limit_s)
+            document_.fail("/bands/time_s", "the drill ends before, at time_limit_s, which is " + shown(drill_.time_limit_s) + " s");
         drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
         return drill_;
     }
@@ -222,11 +225,11 @@ class Reader {
     }
 
     void agree_with_tissue(json& effects, const char* key) const {
-        const bool is_soft = effects["tissue"] == "elastic";
+        const bool is_soft = effects["tissue"] == "elastic" && !drill_.world.vessels.empty();
         if (!effects.contains(key)) effects[key] = is_soft;
         if (effects[key] != is_soft)
             document_.fail(std::string("/effects/") + key, is_soft ? "walls that give way tear and leak, expected true or no such key"
-                                                                   : "rigid walls neither tear nor leak, expected false, or \"tissue\": \"elastic\"");
+                                                                   : "rigid walls neither tear nor leak, expected false, or vessels and \"tissue\": \"elastic\"");
     }
 
     void read_needle(const json& entry) {
@@ -284,12 +287,6 @@ class Reader {
         }
     }
 
-    static std::string names_of(const std::vector<world::VesselDef>& vessels) {
-        std::string text;
-        for (const auto& vessel : vessels) text += (text.empty() ? ", expected \"" : " or \"") + vessel.name + "\"";
-        return text;
-    }
-
     void read_goals() {
         for (const json& entry : filled_["goals"]) {
             const std::string place = "/goals/" + std::to_string(drill_.goals.size());
@@ -299,7 +296,7 @@ class Reader {
             const auto& vessels = drill_.world.vessels;
             if (!goal.around.empty() &&
                 std::none_of(vessels.begin(), vessels.end(), [&](auto& v) { return v.name == goal.around; }))
-                document_.fail(place + "/around", "no vessel is named \"" + goal.around + "\"" + names_of(vessels));
+                document_.fail(place + "/around", "no vessel is named \"" + goal.around + "\"" + (vessels.empty() ? "" : ", expected " + names_of(vessels)));
             if (entry.contains("throws") && entry["throws"].is_string()) goal.notation = entry["throws"];
             if (entry.contains("throws") && entry["throws"].is_number())
                 goal.throws = static_cast<int>(entry["throws"].get<double>());

@@ -51,18 +51,22 @@ std::vector<json> names_of(const Table& table) {
 }
 
 // [low, high] or {"max": high}.
-Shape band(const std::string& about, double high, const std::string& unit) {
+Shape band_of(const std::string& about, Shape end) {
+    end.about = "End of the band; the lower is 0 where it is not given.";
     return {.types = array | object,
+            .types_words = "[low, high] or {\"max\": high}",
             .about = about + " Passes inside [low, high], or at most {\"max\": high}.",
             .min_items = 2,
             .max_items = 2,
-            .items = {quantity("End of the band.", 0, high, unit)},
-            .keys = {{"max", quantity("Upper end; the lower is 0.", 0, high, unit), true}}};
+            .items = {end},
+            .keys = {{"max", end, true}}};
 }
 
-Shape per_instrument(const std::string& about, double high, const std::string& unit) {
-    return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {band("", high, unit)}};
-}
+Shape band(const std::string& about, double high, const std::string& unit) { return band_of(about, quantity("", 0, high, unit)); }
+
+Shape band_of_counts(const std::string& about, double high) { return band_of(about, count("", 0, high)); }
+
+Shape per_instrument(const std::string& about, const Shape& one) { return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {one}}; }
 
 Shape direction(const std::string& about) { return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000)); }
 
@@ -188,21 +192,21 @@ Shape bands() {
     return group(
         "Bands of scored items. An item without a band is shown, not judged.",
         {{"time_s", band("Duration.", 7200, "s"), false},
-         {"path_mm", per_instrument("Path of the tip.", 1e6, "mm"), false, json::object()},
-         {"grasps", per_instrument("Times the thread was grasped.", 10000, ""), false, json::object()},
+         {"path_mm", per_instrument("Path of the tip.", band("", 1e6, "mm")), false, json::object()},
+         {"grasps", per_instrument("Times the thread was grasped.", band_of_counts("", 10000)), false, json::object()},
          {"tension_N", band("Largest tension of the thread.", 200, "N"), false},
          {"lag_mm",
-          per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a jaw's length.", 1000, "mm"), false,
+          per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a jaw's length.", band("", 1000, "mm")), false,
           json::object()},
          {"needle_deg", band("Least angle between jaws and wire when the needle is taken: 90 is right.", 90, "degrees"), false},
-         {"bites", band("Bites through a whole wall that hold.", 1000, ""), false},
+         {"bites", band_of_counts("Bites through a whole wall that hold.", 1000), false},
          {"bite_mm", band("Each bite, from its outer end to the cut.", 100, "mm"), false},
          {"bite_deg", band("Each bite, between needle and wall where it was first touched: 90 is straight.", 90, "degrees"), false},
          {"gap_mm", band("Widest gap of the suture line.", 100, "mm"), false},
          {"lumen", band("Area of the lumen at the join, over what it was.", 10, ""), false},
          {"leak_mL_min", band("Leak of the join at 100 mmHg.", 1e6, "mL/min"), false},
-         {"lapses", band("Lapses of ten (Anastomosis Lapse Index).", 10, ""), false},
-         {"pass_throughs", band("Times the thread passed through something.", 1e9, ""), false, json{{"max", 0}}}});
+         {"lapses", band_of_counts("Lapses of ten (Anastomosis Lapse Index).", 10), false},
+         {"pass_throughs", band_of_counts("Times the thread passed through something.", 1e9), false, json{{"max", 0}}}});
 }
 
 }  // namespace

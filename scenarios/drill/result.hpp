@@ -18,6 +18,8 @@ struct ScoreItem {
     bool passed = false;
     double at_s = 0;       ///< When it was decided or reached its value [s].
     std::string why;       ///< If failed: one sentence for the resident. Of a lapse, its number and limit. Else empty.
+
+    bool operator==(const ScoreItem&) const = default;
 };
 
 /// State of the scene every 10 ms of simulated time, for the timeline.

@@ -217,8 +217,8 @@ void score_tools(const Drill& drill, const world::Measures& measures, std::vecto
         const std::string& tool = tools[i].name;
         items.push_back(
             judged({"path_" + tool, "Path length, " + tool + " tool", "mm", measures.path_mm[i], 1, measures.duration_s,
-                    "The tool travelled further than needed. Plan each move and keep the tip near the knot.",
-                    "The tool travelled less than a full tie needs."},
+                    "The tool travelled further than needed. Plan each move and keep the tip near its work.",
+                    "The tool travelled less than asked."},
                    drill.bands.path_mm[i]));
     }
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -227,7 +227,7 @@ void score_tools(const Drill& drill, const world::Measures& measures, std::vecto
             {"grasps_" + tool, "Grasps, " + tool + " tool", "", static_cast<double>(measures.grasps[i]), 0,
              measures.duration_s,
              "The thread was grasped more often than needed, and each grasp bruises it. Place the jaws once and close.",
-             "The thread was grasped less often than a tie needs."},
+             "The thread was grasped less often than asked."},
             drill.bands.grasps[i]));
     }
 }
@@ -238,7 +238,7 @@ void score_lag(const Drill& drill, const world::Measures& measures, std::vector<
         items.push_back(judged({"lag_" + tool, "Pull beyond a taut thread, " + tool + " tool", "mm",
                                 measures.lag_max_mm[i].value, 2, measures.lag_max_mm[i].at_s,
                                 "The hand went on pulling after the thread was taut. Stop when the slack is gone.",
-                                "The thread was never pulled taut, so the throws are loose."},
+                                "The thread was never pulled taut, so that what is tied is loose."},
                                drill.bands.lag_mm[i]));
     }
 }
@@ -265,14 +265,14 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
     score_bites(drill, measures, items);
     score_join(drill, measures, items);
     items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
-                            "The drill took longer than allowed.", "The drill was ended before a tie can be done."},
+                            "The drill took longer than allowed.", "The drill was over sooner than asked."},
                            drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));
     score_tools(drill, measures, items);
     const std::string too_hard = measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught." :
         "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop when the throw is flat, or the edges meet.";
     items.push_back(
         judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s, too_hard,
-                "The throws were never pulled tight, so they are loose."},
+                "The thread was never pulled tight, so that what is tied is loose."},
                drill.bands.tension_N));
     score_lag(drill, measures, items);
     items.push_back(judged({"pass_throughs", "Pass-throughs", "", static_cast<double>(measures.pass_throughs), 0,

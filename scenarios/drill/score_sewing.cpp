@@ -1,7 +1,5 @@
 #include "scenarios/drill/score_sewing.hpp"
 
-#include <algorithm>
-
 #include "scenarios/drill/judged.hpp"
 
 namespace scenarios::drill {
@@ -9,7 +7,7 @@ namespace scenarios::drill {
 void score_needle(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     const auto& least = measures.needle_deg;
     if (!least && !drill.bands.needle_deg) return;
-    items.push_back(judged({"needle_angle", "Needle held, jaws to wire at the least", "degrees", least ? least->value : 0, 0, least ? least->at_s : measures.duration_s, "",
+    items.push_back(judged({"needle_angle", "Needle held, jaws to wire at the least", "degrees", least ? least->value : 0, 0, least ? least->at_s : measures.duration_s, "The needle was held squarer than asked.",
                             least ? "The needle was held askew, and turns in the jaws when it meets the wall. Close them square to its wire." : "The needle was never held."},
                            drill.bands.needle_deg));
 }
@@ -19,6 +17,7 @@ static std::string fault_of(const world::BiteMeasure& bite) {
     if (bite.to.empty()) return "The needle went into the wall and not through it. Follow its curve until the tip is out.";
     if (bite.partial) return "The stitch does not go through the whole wall: it holds less, and leaves an edge in the lumen.";
     if (bite.both_walls) return "The needle took the wall across as well, which shuts the lumen. Keep its tip in sight.";
+    if (bite.on_needle) return "The needle is still in the wall: draw it through, and the thread after it.";
     if (bite.torn) return "The stitch was torn out to the cut. Pull in the direction of the stitch, and less.";
     return "";
 }
@@ -32,22 +31,23 @@ static std::string why_too_few(const Drill& drill, const world::Measures& measur
 }
 
 void score_bites(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
-    const double at_s = measures.duration_s;
     double held = 0;
     for (std::size_t i = 0; i < measures.bites.size(); ++i) {
         const world::BiteMeasure& bite = measures.bites[i];
         const std::string number = std::to_string(i + 1), title = "Bite " + number + ", " + bite.vessel, why = fault_of(bite);
+        const double at_s = bite.at_s;
         held += why.empty();
         items.push_back({"bite_" + number, title, bite.from + " to " + (bite.to.empty() ? "nowhere" : bite.to), "", "between outer and inner", why.empty(), at_s, why});
-        items.push_back(judged({"bite_size_" + number, title + ", from the cut", "mm", bite.size_mm, 2, at_s, "The bite is wider than asked: it folds the edge in and narrows the lumen.",
+        if (bite.size_mm == 0) items.push_back({"bite_size_" + number, title + ", from the cut", "none", "", "", true, at_s, ""});  // it has no end outside
+        else items.push_back(judged({"bite_size_" + number, title + ", from the cut", "mm", bite.size_mm, 2, at_s, "The bite is wider than asked: it folds the edge in and narrows the lumen.",
                                 "The bite is nearer to the cut than asked, where the wall bears less."},
                                drill.bands.bite_mm));
-        items.push_back(judged({"bite_angle_" + number, title + ", needle to wall", "degrees", bite.to_wall_deg, 0, at_s, "",
+        items.push_back(judged({"bite_angle_" + number, title + ", needle to wall", "degrees", bite.to_wall_deg, 0, at_s, "The needle met the wall straighter than asked.",
                                 "The needle met the wall aslant. Turn its tip straight at the wall before it bites."},
                                drill.bands.bite_deg));
     }
     if (!drill.bands.bites) return;
-    items.push_back(judged({"bites", "Bites, each through one whole wall", "", held, 0, at_s, "More bites than needed: each weakens the wall.", why_too_few(drill, measures)}, drill.bands.bites));
+    items.push_back(judged({"bites", "Bites, each through one whole wall", "", held, 0, measures.duration_s, "More bites than needed: each weakens the wall.", why_too_few(drill, measures)}, drill.bands.bites));
 }
 
 void score_join(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
@@ -59,14 +59,16 @@ void score_join(const Drill& drill, const world::Measures& measures, std::vector
             items.push_back({"join", "Join", "none", "", "both ends sewn", false, at_s, "There is no join to judge: each of the two ends needs a bite."});
         return;
     }
-    items.push_back(judged({"gap", "Widest gap of the suture line", "mm", join.gap_mm, 2, at_s, "The ends do not meet all round: bring them together before you tie, and space stitches evenly.", ""}, bands.gap_mm));
+    items.push_back(judged({"gap", "Widest gap of the suture line", "mm", join.gap_mm, 2, at_s, "The ends do not meet all round: bring them together before you tie, and space stitches evenly.", "The gap is narrower than asked."}, bands.gap_mm));
     items.push_back(judged({"lumen", "Lumen, over what it was", "", join.lumen_ratio, 2, at_s, "The lumen is wider than asked.", "The join narrows the lumen: smaller bites, and pull until the edges meet, no more."}, bands.lumen));
-    items.push_back(judged({"leak", "Leak at 100 mmHg", "mL/min", join.leak_ml_min, 2, at_s, "The join leaks more than allowed, through its gaps and about its threads.", ""}, bands.leak_mL_min));
-    const auto is_committed = [](const world::LapseMeasure& lapse) { return lapse.committed; };
-    const auto committed = std::count_if(join.lapses.begin(), join.lapses.end(), is_committed);
-    items.push_back(judged({"lapses", "Lapses, of ten", "", static_cast<double>(committed), 0, at_s, "There are more lapses than allowed: each is named with its number.", ""}, bands.lapses));
+    items.push_back(judged({"leak", "Leak at 100 mmHg", "mL/min", join.leak_ml_min, 2, at_s, "The join leaks more than allowed, through its gaps and about its threads.", "The join leaks less than asked."}, bands.leak_mL_min));
+    int committed = 0;
+    std::string named;
+    for (const world::LapseMeasure& lapse : join.lapses)
+        if (lapse.committed) named += (committed++ ? ", " : "") + lapse.name;
+    items.push_back(judged({"lapses", "Lapses, of ten", "", static_cast<double>(committed), 0, at_s, "There are more lapses than allowed: " + named + ".", "There are fewer lapses than asked."}, bands.lapses));
     for (const world::LapseMeasure& lapse : join.lapses) {
-        const std::string number = lapse.measure + ": " + fixed(lapse.value, 2) + "; limit " + fixed(lapse.limit, 2) + ".";
+        const std::string number = lapse.measure + ": " + fixed(lapse.value, 2) + (lapse.at_least ? "; at least " : "; at most ") + fixed(lapse.limit, 2) + ".";
         items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true, at_s, number});
     }
 }

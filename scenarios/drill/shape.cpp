@@ -103,7 +103,8 @@ Found check_array(const json& value, const Shape& shape, const std::string& poin
         const std::string range = shape.min_items == shape.max_items
                                       ? std::to_string(shape.min_items)
                                       : std::to_string(shape.min_items) + " to " + std::to_string(shape.max_items);
-        return Problem{pointer, "expected a list of " + range + " items, found " + std::to_string(value.size())};
+        return Problem{pointer, "expected " + (shape.types_words.empty() ? "a list of " + range + " items" : shape.types_words) + ", found " +
+                                    (shape.types_words.empty() ? "" : "a list of ") + std::to_string(value.size())};
     }
     for (std::size_t i = 0; i < value.size(); ++i)
         if (auto problem = check(value[i], shape.items.front(), pointer + "/" + std::to_string(i))) return problem;
@@ -139,7 +140,7 @@ Found check_object(const json& value, const Shape& shape, const std::string& poi
 
 Found check(const json& value, const Shape& shape, const std::string& pointer) {
     const unsigned types = types_of(value);
-    if (!(types & shape.types)) return Problem{pointer, "expected " + kinds(shape.types) + ", found " + shown(value)};
+    if (!(types & shape.types)) return Problem{pointer, "expected " + (shape.types_words.empty() ? kinds(shape.types) : shape.types_words) + ", found " + shown(value)};
     if (!shape.choices.empty()) {
         if (std::find(shape.choices.begin(), shape.choices.end(), value) != shape.choices.end()) return {};
         std::vector<std::string> allowed;

@@ -20,11 +20,12 @@ inline constexpr const char* waypoint_steps = R"(One step a line; '#' starts a c
   jaw right 0 in 0.3                               opens or closes
   wait 0.5
   frame 0 0 2 turned 90 about 0 0 1                where places and directions of the steps that follow are seen
-                                                   from, as from a vessel
+                                                   from, as from a vessel; "frame 0 0 0" is the world again
   steps stitch ... end                             a line each: names the steps between
   play stitch                                      as if they stood here, their frames seen from the frame here,
                                                    which is back after them
-  mirror y                                         from here on y of places is negated, turns go the other way)";
+  mirror y                                         from here on y of places is negated, turns go the other way;
+                                                   "mirror off" ends that)";
 
 /// A choreography of tools as a person writes it, by waypoint_steps.
 struct Waypoints {

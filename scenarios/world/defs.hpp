@@ -95,6 +95,8 @@ struct Event {
     std::string what;   ///< e.g. "right", the knot's name, or what pull the thread broke at, "right by left".
     double value = 0;   ///< e.g. force [N] at a slip, a tear or a needle that bends, place along the thread or needle [mm] at a grasp, a cut or a break,
                         ///< how far a tool is behind its hand [mm].
+
+    bool operator==(const Event&) const = default;
 };
 
 }  // namespace scenarios::world

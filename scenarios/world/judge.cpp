@@ -32,11 +32,13 @@ static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest, const 
     return size;
 }
 
-static BiteMeasure measured(const tissue::Bite& bite, const SoftVessel& vessel, const std::vector<tissue::Rim>& outer_rims) {
+static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const std::vector<tissue::Rim>& outer_rims) {
+    const tissue::Bite& bite = vessel.bites.bites()[number];
     constexpr double degrees = 180 / 3.14159265358979324;
     const bool through = bite.state == tissue::BiteState::open;
     return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest(), outer_rims),
-            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn, bite.state == tissue::BiteState::empty};
+            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn, bite.state == tissue::BiteState::empty, bite.on_needle,
+            number < vessel.bitten_s.size() ? vessel.bitten_s[number] : 0};
 }
 
 void World::judge_sewing() {
@@ -47,8 +49,10 @@ void World::judge_sewing() {
     bool sewn = vessels_.size() == 2;
     for (const SoftVessel& vessel : vessels_) {
         const auto outer = tissue::rims(vessel.tissue.rest(), tissue::Side::outer);
-        for (const tissue::Bite& bite : vessel.bites.bites()) measures_.bites.push_back(measured(bite, vessel, outer));
-        sewn = sewn && !outer.empty() && !vessel.bites.bites().empty();
+        const auto bites = vessel.bites.bites();
+        for (std::size_t i = 0; i < bites.size(); ++i) measures_.bites.push_back(measured(i, vessel, outer));
+        const auto has_thread = [](const tissue::Bite& bite) { return bite.state == tissue::BiteState::open && !bite.on_needle; };
+        sewn = sewn && !outer.empty() && std::any_of(bites.begin(), bites.end(), has_thread);
     }
     if (!sewn) return;
     const auto of = [&](const SoftVessel& vessel) { return tissue::SewnVessel{vessel.tissue.rest(), vessel.skin, vessel.bites.bites(), vessel.bites.def().axis}; };
@@ -58,7 +62,7 @@ void World::judge_sewing() {
     measures_.join.leak_ml_min = tissue::in_ml_per_min(join.leak());
     tissue::LapseLimits limits;
     limits.hole_diameters = 6 * def_.needle.wire / def_.thread.diameter;  // twice as long as it was made
-    for (const tissue::Lapse& lapse : tissue::lapses(join, limits)) measures_.join.lapses.push_back({lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.committed});
+    for (const tissue::Lapse& lapse : tissue::lapses(join, limits)) measures_.join.lapses.push_back({lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.at_least, lapse.committed});
 }
 
 }  // namespace scenarios::world

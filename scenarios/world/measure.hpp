@@ -20,13 +20,15 @@ struct BiteMeasure {
     double size_mm = 0;                        ///< From its end on the outer side to the cut, at rest; 0: none is there.
     double depth_mm = 0, to_wall_deg = 0;      ///< Of the wire, at the deepest; between needle and wall where it was first touched.
     bool partial = false, both_walls = false, torn = false, withdrawn = false;
+    bool on_needle = false;                    ///< Not drawn through yet: no thread lies in it.
+    double at_s = 0;                           ///< When the needle was through, or last did anything to it.
 };
 
 /// One of the ten lapses (tissue/lapse.hpp).
 struct LapseMeasure {
     std::string name, measure;
     double value = 0, limit = 0;
-    bool committed = false;
+    bool at_least = false, committed = false;  ///< The limit is from below; it is not kept.
 };
 
 /// A piece of thread with a knot in it.

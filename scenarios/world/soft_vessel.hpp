@@ -41,7 +41,8 @@ struct SoftVessel {
     std::vector<double> pressed;              ///< and all of them at each hole together, at first those at none [N].
     std::vector<Vec3> pulls;                  ///< Of the thread at each hole, the mean since the last step [N],
     std::vector<Vec3> mean_pulls;             ///< and over some more.
-    std::vector<sim::thread::Strength> strengths;  ///< Of each bite.
+    std::vector<sim::thread::Strength> strengths;  ///< Of each bite,
+    std::vector<double> bitten_s;             ///< and when the needle was through, or until then last did anything to it [s].
     std::string name;
     int first = 0;                            ///< Its triangles' first number in the scene's wall.
 };

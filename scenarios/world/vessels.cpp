@@ -84,7 +84,13 @@ void World::move(SoftVessel& vessel, double seconds) {
     vessel.skin.update(vessel.tissue.nodes());
     vessel.bites.settle(vessel.skin);
     pull_at_bites(vessel, seconds);
-    for (const tissue::BiteEvent& event : vessel.bites.events()) log(name_of(event.kind), vessel.name, event.force);
+    for (const tissue::BiteEvent& event : vessel.bites.events()) {
+        log(name_of(event.kind), vessel.name, event.force);
+        const bool bites = event.kind == tissue::BiteEvent::pierced || event.kind == tissue::BiteEvent::through || event.kind == tissue::BiteEvent::withdrawn;
+        if (!bites) continue;
+        vessel.bitten_s.resize(vessel.bites.bites().size());
+        vessel.bitten_s[static_cast<std::size_t>(event.bite)] = time_s();
+    }
     if (vessel.skin.openings() > openings) renew_wall();
 }
 

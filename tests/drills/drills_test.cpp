@@ -132,8 +132,10 @@ TEST(Drills, SurgeonsIsTiedNamedAndReplayed) {
 TEST(Drills, SquareIsTiedNamedAndReplayed) {
     expect_tied("square-knot", "square", "1=1", true, "17a30586d7ab9b86");
     expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 3000", "3000");
-    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 0 WHERE name = 'knot'", "recorded knot square, missed, replayed knot square, passed");
-    expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'", "replayed pass_throughs 0, passed");
+    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 0 WHERE name = 'knot'", "recorded knot (Knot) square , asked \"square\", missed");
+    expect_tampering_is_found("square-knot", "UPDATE score SET band = 'at most 900' WHERE name = 'time'", "asked \"at most 900\"");
+    expect_tampering_is_found("square-knot", "UPDATE event SET t_s = t_s + 1 WHERE rowid = 1", "the events differ, recorded ");
+    expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'", "replayed pass_throughs");
 }
 
 // The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips.
@@ -194,7 +196,7 @@ TEST(Drills, ABiteThatIsNotTakenIsNotPassed) {
 // A free edge gives way to the needle, which goes over it: held by nothing it is missed, and the resident learns where and what to do.
 TEST(Drills, AMissedBiteSaysWhereTheNeedleSlipped) {
     const Played played = play("single-bite", "--input " + motion_until("single-bite", 5, "left").string());
-    EXPECT_EQ(value_of(played, "bites"), "1");
+    EXPECT_EQ(value_of(played, "bites"), "0") << "the other has no thread in it yet";
     const auto& items = played.result["items"];
     const auto bites = std::find_if(items.begin(), items.end(), [](const auto& item) { return item["name"] == "bites"; });
     EXPECT_EQ(bites->at("why").template get<std::string>().substr(0, 55), "The needle slipped off the edge of left-end at 1.69 s: ");

@@ -195,10 +195,11 @@ TEST(Score, ItemsFailAlone) {
 // "Yes" alone leaves an assessor to guess how far beyond the limit it was.
 TEST(Score, ALapseTellsItsNumber) {
     world::Measures m = good();
-    m.join.lapses = {{"tear", "hole, in diameters of the thread", 3.518, 2, true}, {"overlap", "overlap, in walls", 0.4, 1, false}};
-    EXPECT_EQ(item("lapse: tear", m).why, "hole, in diameters of the thread: 3.52; limit 2.00.");
+    m.join.lapses = {{"tear", "hole, in diameters of the thread", 3.518, 2, false, true}, {"overlap", "overlap, in walls", 0.4, 1}, {"unequal spacing", "shortest, in means", 0.8, 0.6, true}};
+    EXPECT_EQ(item("lapse: tear", m).why, "hole, in diameters of the thread: 3.52; at most 2.00.");
+    EXPECT_EQ(item("lapse: unequal spacing", m).why, "shortest, in means: 0.80; at least 0.60.");
     EXPECT_EQ(item("lapse: overlap", m).value, "no");
-    EXPECT_EQ(item("lapse: overlap", m).why, "overlap, in walls: 0.40; limit 1.00.") << "how near it came";
+    EXPECT_EQ(item("lapse: overlap", m).why, "overlap, in walls: 0.40; at most 1.00.") << "how near it came";
 }
 
 // A suture with a stitch left out passed: nothing asked for it. What runs along in the wall or was torn out does not count.
@@ -211,6 +212,11 @@ TEST(Score, BitesThatHoldAreCounted) {
     EXPECT_FALSE(item("bites", m, text).passed);
     m.bites[1] = {"right", "inner", ""};
     EXPECT_EQ(item("bites", m, text).value, "1");
+    m.bites[1] = {"right", "inner", "outer"};
+    m.bites[1].on_needle = true, m.bites[1].at_s = 3.6;
+    EXPECT_EQ(item("bites", m, text).value, "1") << "no thread is in it yet";
+    EXPECT_TRUE(item("bite_2", m, text).why.starts_with("The needle is still in the wall"));
+    EXPECT_EQ(item("bite_2", m, text).at_s, 3.6);
     m.bites[1] = {"right", "inner", "outer"};
     m.bites[1].both_walls = true;
     EXPECT_EQ(item("bites", m, text).value, "1");
@@ -232,6 +238,9 @@ TEST(Score, EachBiteIsJudgedBySizeAndAngle) {
     EXPECT_TRUE(item("bite_size_2", m, text).why.starts_with("The bite is wider"));
     EXPECT_TRUE(item("bite_angle_2", m, text).why.starts_with("The needle met the wall aslant"));
     EXPECT_EQ(item("bite_size_1", m, sample::sewn("\"bites\": [2, 2]")).band, "") << "shown where it is not asked for";
+    m.bites[0] = {"carotid", "inner", ""};
+    EXPECT_EQ(item("bite_size_1", m, text).value, "none") << "no end outside, so no distance that is too small";
+    EXPECT_TRUE(item("bite_size_1", m, text).passed);
 }
 
 TEST(Score, TheNeedleIsJudgedByHowItIsHeld) {
@@ -250,11 +259,12 @@ TEST(Score, AJoinIsJudgedWhereOneIsAskedFor) {
     const std::string text = sample::sewn(R"("gap_mm": {"max": 0.2}, "lumen": [0.8, 1.2], "leak_mL_min": {"max": 100}, "lapses": {"max": 1})");
     world::Measures m = good();
     EXPECT_FALSE(item("join", m, text).passed);
-    m.join = {0.1, 0.9, 80, {{"tear", "hole", 3, 2, true}, {"overlap", "overlap, in walls", 0.4, 1, false}}};
+    m.join = {0.1, 0.9, 80, {{"tear", "hole", 3, 2, false, true}, {"overlap", "overlap, in walls", 0.4, 1}}};
     for (const char* name : {"gap", "lumen", "leak", "lapses"}) EXPECT_TRUE(item(name, m, text).passed) << name;
     m.join.gap_mm = 0.3, m.join.lumen_ratio = 0.7, m.join.leak_ml_min = 120, m.join.lapses[1].committed = true;
     for (const char* name : {"gap", "lumen", "leak", "lapses"}) {
         EXPECT_FALSE(item(name, m, text).passed) << name;
         EXPECT_NE(item(name, m, text).why, "") << name;
     }
+    EXPECT_EQ(item("lapses", m, text).why, "There are more lapses than allowed: tear, overlap.");
 }

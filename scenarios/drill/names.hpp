@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace scenarios::drill {
+
+/// "left" or "right", quoted, for messages.
+template <class Named>
+std::string names_of(const std::vector<Named>& all) {
+    std::string names;
+    for (const Named& one : all) names += (names.empty() ? "\"" : " or \"") + one.name + "\"";
+    return names;
+}
+
+}  // namespace scenarios::drill
