@@ -66,8 +66,16 @@ void go_up(Window& window, const double* factor, std::size_t node, std::size_t f
 
 }  // namespace
 
-// Above the band Z is what its next eight rows make of it: the three columns of each node, from there up to the first node. Columns go up
-// together, as each row waits for the one below it.
+// Of nodes, increasing, the first that is in the same piece as the last of them.
+std::size_t ChainMatrix::first_in_piece(std::span<const int> nodes) const {
+    std::size_t first = nodes.size() - 1;
+    for (auto node = static_cast<std::size_t>(nodes[first]); first > 0 && node-- > static_cast<std::size_t>(nodes.front()) && !ends_at(node);)
+        if (node == static_cast<std::size_t>(nodes[first - 1])) --first;
+    return first;
+}
+
+// Above the band Z is what its next eight rows make of it: the three columns of each node, from there up to the first node of its piece; pieces
+// know nothing of each other. Columns go up together, as each row waits for the one below it.
 Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> nodes) {
     const std::size_t count = nodes.size(), size = 3 * count;
     inverse_.resize(size * size + beyond);
@@ -75,8 +83,9 @@ Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> n
     const auto node_at = [&](std::size_t place) { return static_cast<std::size_t>(nodes[place]); };
     if (count > 0) invert_band(node_at(0), node_at(count - 1));
     const auto inverse = [size, first = inverse_.data()](std::size_t column, std::size_t axis, std::size_t row) { return first + (3 * column + axis) * size + 3 * row; };
-    for (std::size_t end = count; end > 0;) {
-        const std::size_t begin = end > together ? end - together : 0;
+    for (std::size_t end = count, top = count; end > 0;) {
+        if (end == top) top = first_in_piece(nodes.first(end));
+        const std::size_t begin = std::max(top, end > together ? end - together : 0);
         const auto enter = [&](std::size_t place) {
             for (std::size_t r = 0; r < 9; ++r) {
                 Lane& lane = window.row(3 * node_at(place) + r)[place - begin] = Lane();
@@ -89,13 +98,17 @@ Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> n
             x.three_to(inverse(row, 0, place)), y.three_to(inverse(row, 1, place)), z.three_to(inverse(row, 2, place));
         };
         std::size_t first = end, row = end;  // of the columns that are on their way; what was kept last
-        for (std::size_t node = node_at(end - 1); row > 0; --node) {
+        for (std::size_t node = node_at(end - 1); row > top; --node) {
             if (first < end) go_up(window, factor_.data(), node, first - begin, end - begin);
             if (node_at(row - 1) != node) continue;
             if (first > begin) enter(--first);
             --row;
             const std::array<const Lane*, 3> found{window.row(3 * node), window.row(3 * node + 1), window.row(3 * node + 2)};
             for (std::size_t place = first; place < end; ++place) keep(row, found, place);
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t place = begin; place < end; ++place) std::fill_n(inverse(place, c, 0), 3 * top, 0.0);
+            for (std::size_t place = 0; place < top; ++place) std::fill_n(inverse(place, c, begin), 3 * (end - begin), 0.0);
         }
         end = begin;
     }

@@ -36,7 +36,7 @@ class ChainMatrix {
     bool factor(double more = 0);
 
     /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors. Four numbers
-    /// may be read from any place in it. Its time grows with the nodes from the first of them to the end of the last one's piece, times those.
+    /// may be read from any place in it. Its time grows, piece by piece, with the nodes from the first of them to the end of the piece, times those.
     Eigen::Map<const Eigen::MatrixXd> inverse_at(std::span<const int> nodes);
     static constexpr std::size_t beyond = 3;  ///< Numbers behind the last, for who reads four at once.
 
@@ -45,6 +45,7 @@ class ChainMatrix {
 
   private:
     bool ends_at(std::size_t node) const;
+    std::size_t first_in_piece(std::span<const int> nodes) const;
     void invert_band(std::size_t first, std::size_t last);
     void solve_forward(std::vector<Vec3>& x) const;
     void solve_backward(std::vector<Vec3>& x) const;

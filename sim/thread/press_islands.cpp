@@ -19,8 +19,6 @@ static int island_of(const State& state, const Press& press) {
     return island_of(state, press.pair.nodes > 0 ? state.piece_of[at(press.pair.node[0])] : 0);
 }
 
-static bool is_whole(const State& state) { return std::find(state.rest.begin(), state.rest.end(), 0.0) == state.rest.end(); }
-
 static void find_islands(State& state) {
     state.piece_of.assign(1, 0);
     for (std::size_t k = 0; k < state.rest.size(); ++k) state.piece_of.push_back(state.piece_of.back() + (state.is_cut(k) ? 1 : 0));
@@ -47,8 +45,8 @@ static int solve_island(State& state, int island) {
 }
 
 int solve_presses(State& state) {
-    if (is_whole(state)) return solve_together(state);
     find_islands(state);
+    if (state.island.size() == 1) return solve_together(state);
     state.all_presses.swap(state.presses);
     state.all_apart.assign(3 * state.all_presses.size(), 0.0);
     int sweeps = 0;

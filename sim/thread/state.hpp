@@ -88,6 +88,8 @@ struct Press {
     Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< Its push as a sweep began, and where sweeps lead.
     Pair pair;                      ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< Of those nodes in ChainMatrix::inverse_at.
+    std::array<int, 2> piece{-1, -1};     ///< Of the thread that they are of; none: -1.
+    std::size_t answers = 0;              ///< Which list of those that answer to its pushes is its.
 };
 
 /// What is found together with all others where thread lies on steel: the pull of a link, or the push of a contact. It acts on the
@@ -206,6 +208,8 @@ struct State {
     std::vector<Press> all_presses;    ///< Scratch, of a thread that was cut: those of all islands, while one is solved;
     std::vector<double> all_apart;     ///< their `apart`;
     std::vector<int> piece_of, island; ///< of each node the piece, and of each piece the first in its island.
+    std::vector<std::size_t> first_touching;        ///< Of each piece, among what touches; past the last its end.
+    std::vector<std::size_t> first_answer, answer;  ///< Lists of presses that answer to others' pushes: where each begins, and all.
     std::vector<Rolling> rolling;
     std::vector<Pair> pairs;
     std::vector<Hold> targets;

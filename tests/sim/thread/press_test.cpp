@@ -1,0 +1,101 @@
+#include "sim/thread/press.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <random>
+
+#include "sim/geometry/at.hpp"
+
+namespace {
+
+using sim::at;
+using sim::geometry::Vec3;
+using sim::thread::Pair;
+using sim::thread::State;
+
+constexpr int nodes = 24, pieces = 3, size = nodes / pieces;  // of which the first two touch each other
+
+// An elastic thread cut in three, its matrix one that a rod could have.
+struct Cut {
+    State state;
+    Eigen::MatrixXd inverse;
+
+    explicit Cut(std::mt19937& random) : state(thread(), line()) {
+        std::normal_distribution<double> normal;
+        auto& matrix = state.rod->matrix();
+        matrix.clear(nodes);
+        Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
+        for (int i = 0; i < nodes; ++i)
+            for (int j = i; j < std::min(nodes, i + 3) && j / size == i / size; ++j) {
+                Eigen::Matrix3d block;
+                for (double& x : block.reshaped()) x = normal(random);
+                if (i == j) block = (block * block.transpose() + 40 * Eigen::Matrix3d::Identity()).eval();
+                matrix.add(at(i), at(j), block);
+                dense.block(3 * i, 3 * j, 3, 3) = block;
+                dense.block(3 * j, 3 * i, 3, 3) = block.transpose();
+            }
+        EXPECT_TRUE(matrix.factor());
+        inverse = dense.inverse();
+        for (int i = 0; i < nodes; ++i) state.piece_of.push_back(i / size);
+        state.island.assign(pieces, 0);
+    }
+
+    static sim::thread::ThreadDef thread() {
+        sim::thread::ThreadDef def;
+        def.elastic = sim::thread::RodDef{};
+        return def;
+    }
+    static std::vector<Vec3> line() {
+        std::vector<Vec3> points;
+        for (int i = 0; i < nodes; ++i) points.push_back(1e-3 * i * Vec3::UnitX());
+        return points;
+    }
+
+    // Between a link of one piece and a link of another or of the same, of a tool (none: -1), or where no node can move.
+    void press(std::mt19937& random, int piece, int other) {
+        Pair pair;
+        const auto add = [&](int of, double sign) {
+            if (of < 0) return;
+            const int first = of * size + static_cast<int>(random() % (size - 1));
+            const double share = static_cast<double>(random() % 1000) / 1000;
+            for (const int k : {0, 1}) pair.node[at(pair.nodes)] = first + k, pair.weight[at(pair.nodes++)] = sign * (k ? share : 1 - share);
+        };
+        add(piece, 1), add(other, -1);
+        state.presses.emplace_back(&row).pair = pair;
+    }
+    Eigen::MatrixXd ways() const {
+        Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * state.presses.size()), 3 * nodes);
+        for (std::size_t c = 0; c < state.presses.size(); ++c)
+            for (int k = 0; k < state.presses[c].pair.nodes; ++k)
+                for (int a = 0; a < 3; ++a) ways(sim::axes(c) + a, 3 * state.presses[c].pair.node[at(k)] + a) += state.presses[c].pair.weight[at(k)];
+        return ways;
+    }
+    sim::thread::Row row{};
+};
+
+}  // namespace
+
+// Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's dense inverse. What one push moves is
+// moved by push_more(), by its list as by all.
+TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        Cut cut(random);
+        const int last = seed % 2 ? 1 : 2;  // the third piece touches nothing, or itself alone
+        for (int i = 0; i < 30; ++i) {
+            const int piece = static_cast<int>(random() % static_cast<unsigned>(last + 1));
+            const int others[] = {-1, piece, piece < 2 ? 1 - piece : -1};
+            cut.press(random, i == 7 ? -1 : piece, i == 7 ? -1 : others[random() % 3]);
+        }
+        const auto responses = measure_responses(cut.state);
+        const Eigen::MatrixXd ways = cut.ways(), expected = ways * cut.inverse * ways.transpose();
+        ASSERT_LT((responses - expected).cwiseAbs().maxCoeff(), 1e-12);  // entries are of the order of a fortieth
+        cut.state.apart.assign(3 * cut.state.presses.size(), 0.0);
+        const Vec3 push(0.3, -1, 0.7);
+        push_more(cut.state, responses, 3, push);
+        const Eigen::Map<const Eigen::VectorXd> moved(cut.state.apart.data(), expected.rows());
+        EXPECT_LT((moved - expected.middleCols<3>(9) * push).cwiseAbs().maxCoeff(), 1e-12);
+    }
+}
