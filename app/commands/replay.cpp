@@ -54,7 +54,7 @@ bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
 }
 
 std::string said(const scenarios::drill::ScoreItem& item) {
-    return item.name + " (" + item.title + ") " + item.value + " " + item.unit + ", asked \"" + item.band + "\", " + (item.passed ? "passed" : "missed") + " at " + std::to_string(item.at_s) + " s, \"" + item.why + "\"";
+    return item.name + " (" + item.title + ") " + item.value + (item.unit.empty() ? "" : " " + item.unit) + ", asked \"" + item.band + "\", " + (item.passed ? "passed" : "missed") + " at " + std::to_string(item.at_s) + " s, \"" + item.why + "\"";
 }
 
 std::string said(const scenarios::world::Event& event) { return event.kind + " " + event.what + " " + std::to_string(event.value) + " at " + std::to_string(event.t_s) + " s"; }

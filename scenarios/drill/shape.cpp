@@ -103,8 +103,8 @@ Found check_array(const json& value, const Shape& shape, const std::string& poin
         const std::string range = shape.min_items == shape.max_items
                                       ? std::to_string(shape.min_items)
                                       : std::to_string(shape.min_items) + " to " + std::to_string(shape.max_items);
-        return Problem{pointer, "expected " + (shape.types_words.empty() ? "a list of " + range + " items" : shape.types_words) + ", found " +
-                                    (shape.types_words.empty() ? "" : "a list of ") + std::to_string(value.size())};
+        const std::string form = shape.types_words.empty() ? "a list of " + range + " items, found " : shape.types_words + ", found a list of ";
+        return Problem{pointer, "expected " + form + std::to_string(value.size())};
     }
     for (std::size_t i = 0; i < value.size(); ++i)
         if (auto problem = check(value[i], shape.items.front(), pointer + "/" + std::to_string(i))) return problem;

@@ -57,12 +57,6 @@ void push_more(State& state, const Responses& responses, std::size_t c, const Ve
     const double along_x = more.x(), along_y = more.y(), along_z = more.z();
     double* const apart = state.apart.data();
     const std::size_t size = state.apart.size();
-    const auto answers = answers_to(state, c);
-    if (2 * answers.size() < state.presses.size()) {  // else those between them cost less than to leave them out
-        for (const std::size_t d : answers)
-            for (std::size_t i = 3 * d; i < 3 * d + 3; ++i) apart[i] += x[i] * along_x + y[i] * along_y + z[i] * along_z;
-        return;
-    }
     std::size_t i = 0;
     for (; i + 4 <= size; i += 4) (Lane::from(apart + i) + (Lane::from(x + i) * along_x + Lane::from(y + i) * along_y + Lane::from(z + i) * along_z)).to(apart + i);
     for (; i < size; ++i) apart[i] += x[i] * along_x + y[i] * along_y + z[i] * along_z;

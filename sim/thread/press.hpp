@@ -18,12 +18,6 @@ int solve_together(State& state);
 /// With the rod's inverse at the nodes that they touch; O(m n + m^2) for m contacts that touch n nodes. Pieces of thread answer each by itself.
 Responses measure_responses(State& state);
 
-/// The contacts that move when d pushes, increasing: those that share a piece of thread with it. After measure_responses().
-inline std::span<const std::size_t> answers_to(const State& state, std::size_t d) {
-    const std::size_t list = state.presses[d].answers;
-    return std::span(state.answer).subspan(state.first_answer[list], state.first_answer[list + 1] - state.first_answer[list]);
-}
-
 /// Pushes contact c by `more` [N] than it does, and moves the points of all.
 void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more);
 

@@ -62,6 +62,12 @@ static void find_answers(State& state) {
     }
 }
 
+// The contacts that move when d pushes, increasing: those that share a piece of thread with it.
+static std::span<const std::size_t> answers_to(const State& state, std::size_t d) {
+    const std::size_t list = state.presses[d].answers;
+    return std::span(state.answer).subspan(state.first_answer[list], state.first_answer[list + 1] - state.first_answer[list]);
+}
+
 // It is symmetric: what is beyond the diagonal was found.
 static void mirror(const State& state, Responses& responses) {
     for (std::size_t d = 0; d < state.presses.size(); ++d)

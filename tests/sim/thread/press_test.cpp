@@ -77,7 +77,7 @@ struct Cut {
 }  // namespace
 
 // Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's dense inverse. What one push moves is
-// moved by push_more(), by its list as by all.
+// moved by push_more().
 TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
