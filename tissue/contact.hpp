@@ -36,9 +36,10 @@ class CapsuleContact {
     std::vector<Place> places_;
 };
 
-/// Walls against each other and themselves: nodes of the surface that are behind the triangle they are nearest to, by up to half the wall. What lay next
-/// to each other at rest does not touch. Each side is held with twice the stiffness, so that both may give way at once and come to the same as one. Deterministic;
-/// allocates only for more contacts than ever before.
+/// Walls against each other and themselves: nodes of the surface that are behind the triangle they are nearest to, by up to half the wall, pushed along the normal
+/// between those of its corners, each the mean of the faces about it (as Yang, Laursen and Meng 2005 do in a plane). What lay next to each other at rest does not
+/// touch. Each side is held with twice the stiffness, so that both may give way at once and come to the same as one. Deterministic; allocates only for more contacts
+/// than ever before.
 class WallContact {
   public:
     /// For walls of this thickness, the thinner of two [m].
@@ -61,7 +62,10 @@ class WallContact {
     void sort_nodes(const Mesh& rest, const Skin& skin, const Box& where);
     void find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same);
     void look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same);
-    void push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Skin& triangles_of, std::vector<PointForce>& on_triangles);
+    void find_normals(const Mesh& rest, const Skin& skin);
+    Vec3 steady_normal(const Mesh& rest, const Skin& skin, int triangle, const Vec3& place) const;
+    void push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Mesh& rest_of_triangles, const Skin& triangles_of,
+              std::vector<PointForce>& on_triangles);
     std::array<int, 3> cell(const Vec3& at) const;
     int number(int x, int y, int z) const { return (x * size_[1] + y) * size_[2] + z; }
 
@@ -77,6 +81,7 @@ class WallContact {
     std::vector<std::array<int, 2>> bent_sorted_;  // and those of the bent ones
     Box about_, about_bent_;                     // boxes of both
     std::vector<Nearest> nearest_;
+    std::array<std::vector<Vec3>, 4> normals_;   // of each side of the wall, at its nodes; of any length
 };
 
 }  // namespace tissue
