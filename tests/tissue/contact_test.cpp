@@ -164,7 +164,21 @@ struct Ends {
             for (const Vec3& v : wall->velocity()) most = std::max(most, v.norm());
         return most;
     }
+    // Into each other by so much, in 0.2 s; from 0.5 s later on [m/s].
+    double fastest_once_pressed(double by) {
+        for (int s = 0; s < 100; ++s) go((by + 0.1e-3) / 100);
+        for (int s = 0; s < 250; ++s) go(0);
+        double most = 0;
+        for (int s = 0; s < 100; ++s) go(0), most = std::max(most, fastest());
+        return most;
+    }
 };
+
+Material soft() {
+    Material material;
+    material.young = 0.2e6;
+    return material;
+}
 
 // They stay apart, and push each other as much.
 TEST(WallContact, KeepsTwoVesselsApart) {
@@ -193,34 +207,22 @@ TEST(WallContact, KeepsTwoVesselsApart) {
 // Pressed on by a few tenths of a millimetre and aside by as much they lie over each other, edges on edges, and then rest. A node just before a cut that
 // leans is behind the skin that ends there: taken for a touch, that pushed it by a tenth of a newton, and walls trembled by 0.1 m/s for ever.
 TEST(WallContact, EndsThatLieOverEachOtherRest) {
-    Material soft;
-    soft.young = 0.2e6;
     for (const double by : {0.1e-3, 0.3e-3}) {
         SCOPED_TRACE(by);
-        Ends ends(by, soft);
-        for (int s = 0; s < 100; ++s) ends.go((by + 0.1e-3) / 100);
-        for (int s = 0; s < 150; ++s) ends.go(0);
-        double fastest = 0;
-        for (int s = 0; s < 100; ++s) ends.go(0), fastest = std::max(fastest, ends.fastest());
+        Ends ends(by, soft());
+        EXPECT_LT(ends.fastest_once_pressed(by), 1e-3);  // they creep by 0.2 mm/s yet
         EXPECT_GT(ends.contact.contacts(), 10);
-        EXPECT_LT(fastest, 1e-3);                // they creep by 0.2 mm/s yet
     }
 }
 
 // Nor does a stitch that draws them together shake them: pushed as each triangle faces, what lay in a crease was thrown to and fro by 23 and 25 mm/s.
 TEST(WallContact, EndsThatAStitchDrawsTogetherRest) {
-    Material soft;
-    soft.young = 0.2e6;
     for (const double aside : {0.1e-3, 0.2e-3}) {
         SCOPED_TRACE(aside);
-        Ends ends(aside, soft);
+        Ends ends(aside, soft());
         ends.drawn = 0.05;
-        for (int s = 0; s < 100; ++s) ends.go(0.15e-3 / 100);
-        for (int s = 0; s < 250; ++s) ends.go(0);
-        double fastest = 0;
-        for (int s = 0; s < 100; ++s) ends.go(0), fastest = std::max(fastest, ends.fastest());
+        EXPECT_LT(ends.fastest_once_pressed(0.05e-3), 2e-3);  // 0.4 and 0.3
         EXPECT_GT(ends.contact.contacts(), 10);
-        EXPECT_LT(fastest, 2e-3);                // 0.4 and 0.3
     }
 }
 
