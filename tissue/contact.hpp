@@ -45,7 +45,7 @@ class WallContact {
     /// For walls of this thickness, the thinner of two [m].
     WallContact(const ContactDef& def, double thickness) : def_(def), thickness_(thickness) {}
 
-    /// Two walls; appends to the forces of each. 2 us where their boxes are apart, some 140 us for two vessels of 900 triangles whose ends lie over each other.
+    /// Two walls; appends to the forces of each. 2 us where their boxes are apart, some 160 us for two vessels of 900 triangles whose ends lie over each other.
     void press(const Mesh& rest_a, const Skin& a, std::vector<PointForce>& on_a, const Mesh& rest_b, const Skin& b, std::vector<PointForce>& on_b);
     /// A wall and itself, what holds it having `carried` it from its rest. 4 us where no node is further from there than a quarter of the wall, else more, the more nodes
     /// are: up to 0.2 ms for 900 triangles.
