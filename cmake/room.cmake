@@ -1,8 +1,10 @@
 # A room: one folder, one namespace, one static library of the same name (sim/knot -> sim_knot).
-#   carrel_room(sim_knot [EVERY_TICK|SELDOM] SOURCES a.cpp b.cpp MAY_INCLUDE sim_geometry LIBRARIES Foo::Foo)
+#   carrel_room(sim_knot [EVERY_TICK|SELDOM] SOURCES a.cpp b.cpp [APART b.cpp] MAY_INCLUDE sim_geometry LIBRARIES Foo::Foo)
+# APART: sources with names of their own that others of the room have as well; a unity build, as in `make`, compiles those alone.
 # MAY_INCLUDE becomes the link dependency; tests/walls.cmake fails on an include that crosses any other wall.
 function(carrel_room name)
-  cmake_parse_arguments(ROOM "EVERY_TICK;SELDOM" "" "SOURCES;MAY_INCLUDE;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "EVERY_TICK;SELDOM" "" "SOURCES;APART;MAY_INCLUDE;LIBRARIES" ${ARGN})
+  carrel_apart(${ROOM_APART})
   add_library(${name} STATIC ${ROOM_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC ${ROOM_MAY_INCLUDE} PRIVATE ${ROOM_LIBRARIES})
@@ -31,4 +33,8 @@ function(carrel_quick_to_compile)
   if(CARREL_SANITIZE)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
   endif()
+endfunction()
+
+function(carrel_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
