@@ -35,6 +35,7 @@ function(carrel_quick_to_compile)
   endif()
 endfunction()
 
+# Sources that a unity build compiles alone. CMake does so by itself with those that have options of their own.
 function(carrel_apart)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
