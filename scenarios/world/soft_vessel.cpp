@@ -91,7 +91,8 @@ void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geomet
     const double size = force.force.norm();
     const Vec3 way = force.force / size;
     const double gone = way.dot(tissue::point_in(skin[triangle], weights) - force.at);
-    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, gone});
+    // A wall that comes back meets a thread that comes after it, and presses as hard; one that sleeps holds it where it was.
+    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, force.asleep ? gone : std::max(0.0, gone)});
 }
 
 void SoftVessel::load(double share, bool elastic) {
@@ -101,7 +102,7 @@ void SoftVessel::load(double share, bool elastic) {
     for (const Press& press : presses) {
         if (press.hole >= 0) pulls[static_cast<std::size_t>(press.hole)] += share * press.size * press.way;
         const double stiffness = stiffness_with(elastic) * press.size / all(press);
-        const double left = std::max(0.0, press.size - stiffness * std::max(0.0, press.gone));
+        const double left = std::max(0.0, press.size - stiffness * press.gone);
         forces.push_back({press.at, share * left * press.way, share * stiffness});
     }
     presses.clear();

@@ -33,7 +33,7 @@ void World::load_vessels() {
     const double share = 1.0 / static_cast<double>(period(vessels_.size())), believed = believed_share();
     for (const sim::thread::SurfaceForce& pressed : thread_.surface_forces())
         for (SoftVessel& vessel : vessels_)
-            if (vessel.first <= pressed.triangle && pressed.triangle < vessel.first + vessel.skin.size()) vessel.press(pressed, wall_.tree()[pressed.triangle], believed);
+            if (vessel.first <= pressed.triangle && pressed.triangle < vessel.first + vessel.skin.size()) vessel.press(pressed, pressed.asleep.value_or(wall_.tree()[pressed.triangle]), believed);
     for (SoftVessel& vessel : vessels_) vessel.load(share, is_elastic());
 }
 

@@ -116,7 +116,7 @@ int audit(const State& state) {
             for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
                 const Box& swept = swept_by[static_cast<std::size_t>(i)];
                 for (int j = std::max(i + 2, q * block); j < std::min(n, (q + 1) * block); ++j)
-                    if (!apart(swept, swept_by[static_cast<std::size_t>(j)])) met += crossings(link(i), link(j));
+                    if (!(sleeps(state, i) && sleeps(state, j)) && !apart(swept, swept_by[static_cast<std::size_t>(j)])) met += crossings(link(i), link(j));
             }
         }
     for (std::size_t c = 0; c < state.capsules.size(); ++c) {

@@ -54,13 +54,15 @@ void leave_out(State& state, std::size_t first, std::size_t second, std::span<in
         erase(*of_links, first + 1, second);
     }
     if (!state.rod) return;
+    erase(state.watched, first + 1, second);
+    erase(state.asleep, first + 1, second);
     state.rod->leave_out(first, second);
     const auto is_gone = [&](int link) { return link >= from && link < to; };
     std::erase_if(state.pressed, [&](const Row& row) { return is_gone(row.link) || (row.against == Against::thread && is_gone(row.other)); });
-    for (Row& row : state.pressed) {
+    for_all_pressed(state, [&](Row& row) {
         if (row.link >= to) row.link -= fewer;
         if (row.against == Against::thread && row.other >= to) row.other -= fewer;
-    }
+    });
 }
 
 // By how much it is bent, from the shape that it keeps, at the end where that is more [1/m].
@@ -92,6 +94,7 @@ bool cut(State& state, std::size_t link, double share, std::span<int> held) {
     if (state.is_cut(link)) return false;
     const auto before = end_of_stump(state, link, share, -1), after = end_of_stump(state, link, share, +1);
     if (!before || !after) return false;
+    if (state.rod) wake_at(state, link);
     state.nearest.resize(state.rest.size());
     std::size_t second = node_at(state, *after, held);
     const std::size_t nodes = state.nodes.size(), first = node_at(state, *before, held);

@@ -36,7 +36,7 @@ static void detect_self(State& state) {
     };
     state.tree.self_pairs(state.reach, 2, [&](int i, int j) {
         if (is_out_of_reach(state.middles[at(i)], state.middles[at(j)])) return;
-        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn || state.is_cut(at(i)) || state.is_cut(at(j))) return;
+        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn || state.is_cut(at(i)) || state.is_cut(at(j)) || (sleeps(state, i) && sleeps(state, j))) return;
         const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
         if (pair.distance_squared < reach2) add(state, Against::thread, i, j, (1 + skin) * 2 * state.def.radius, pair);
     });

@@ -93,6 +93,7 @@ static void answer(State& state, double left, double tools, const Motion& motion
     find_presses(state);
     state.targets.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : state.targets) {
+        if (state.asleep[at(hold.node)]) hold.slides = false, hold.target = state.nodes[at(hold.node)];
         const Vec3& from = hold.slides ? hold.start : state.nodes[at(hold.node)];
         hold.target = from + (hold.slides ? 1 - left * (1 - tools) : tools) * (hold.target - from);
     }
@@ -136,7 +137,10 @@ void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     constexpr int most_steps = 8;
     const int enough = state.def.contacts_per_tick;
     Rod& rod = *state.rod;
-    rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}}, state.input.seconds);
+    wake_what_is_moved(state);
+    for (std::size_t i = 0; i < state.asleep.size(); ++i)
+        if (state.asleep[i]) state.inverse_mass[i] = 0;
+    rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}, .asleep = state.asleep}, state.input.seconds);
     Left left;
     int pressed = 0;
     for (int i = 0; i < most_steps && (enough == 0 || pressed < enough) && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
@@ -147,6 +151,7 @@ void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     rod.end();
     for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = rod.tension(k);
     aim(state);  // to where they are now
+    watch_over_pieces(state);
 }
 
 }  // namespace sim::thread

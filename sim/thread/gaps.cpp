@@ -53,7 +53,7 @@ static void measure(State& state, Contact& c) {
     const ClosestPair pair = nearest(state, c);
     c.gap = c.measured = std::sqrt(pair.distance_squared);
     c.place = pair.t;
-    if (c.gap < touchable) state.rows.push_back(row_of(state, c, pair));
+    if (c.gap < touchable && !(c.against == Against::surface && sleeps(state, c.link))) state.rows.push_back(row_of(state, c, pair));
 }
 
 // In a corner of a hole's rim a thread leans on both sides. An elastic one that is shown one of them slides off past the other and is thrown back, by

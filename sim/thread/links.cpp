@@ -76,11 +76,13 @@ void split(State& state, std::size_t link, double share, std::span<int> held) {
     const int parted = static_cast<int>(link);
     renumber(held, parted + 1, 1);
     if (!state.rod) return;
+    insert_between(state.watched);
+    insert(state.asleep, link + 1, state.asleep[link]);
     state.rod->split(link, share);
-    for (Row& row : state.pressed) {
+    for_all_pressed(state, [&](Row& row) {
         if (row.link > parted || (row.link == parted && row.s > share)) ++row.link;
         if (row.against == Against::thread && (row.other > parted || (row.other == parted && row.t > share))) ++row.other;
-    }
+    });
 }
 
 static void join_at(State& state, std::size_t node) {
@@ -91,12 +93,14 @@ static void join_at(State& state, std::size_t node) {
     state.rest[node - 1] += state.rest[node];
     for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) erase(*of_links, node);
     if (!state.rod) return;
+    erase(state.watched, node);
+    erase(state.asleep, node);
     state.rod->join_at(node);
     const int joined = static_cast<int>(node);
-    for (Row& row : state.pressed) {
+    for_all_pressed(state, [&](Row& row) {
         if (row.link >= joined) --row.link;
         if (row.against == Against::thread && row.other >= joined) --row.other;
-    }
+    });
 }
 
 // From the last to the first, so that what is still to be looked at keeps its number.
@@ -136,6 +140,8 @@ bool fit_links(State& state, std::span<int> held) {
     if (state.def.shortest_link <= 0 || state.settled || stands) return false;
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
     for (const int node : held) state.inverse_mass[at(node)] = 0;
+    for (std::size_t i = 0; i < state.asleep.size(); ++i)
+        if (state.asleep[i]) state.inverse_mass[i] = 0;
     measure_nearest(state);
     const bool joined = join_where_straight(state, held), halved = halve_where_needed(state, held);
     if (!joined && !halved) return false;

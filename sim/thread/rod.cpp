@@ -288,7 +288,8 @@ void Rod::begin(const RodInput& input, double seconds) {
     const double with_drag = def_.halting_time > 0 ? 1 + seconds / def_.halting_time : 1;
     inertia_ = seconds > 0 && def_.density > 0 ? with_drag / (seconds * seconds) : 0;
     turn_ = input.turn;
-    held_.assign(now_.nodes.size(), 0);
+    if (input.asleep.empty()) held_.assign(now_.nodes.size(), 0);
+    else held_.assign(input.asleep.begin(), input.asleep.end());
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
     find_inert();
     loads_.resize(now_.nodes.size());

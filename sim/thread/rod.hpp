@@ -22,6 +22,7 @@ struct RodInput {
     std::optional<double> turn = {};
     /// Force that may stay unbalanced at a node [N]; nothing: fifty times what the rounding of its place does to the stiffest link.
     std::optional<double> tolerance = {};
+    std::span<const char> asleep = {};       ///< Per node: whether it stays where it is, as held nodes do that go nowhere; or none.
 };
 
 /// A force between two points of the rod, or on a point of it.

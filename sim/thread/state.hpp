@@ -53,6 +53,7 @@ struct Row {
     bool glides = false;          ///< Part of a wrap on steel: its pushes are found together with lengths.
     bool pressed = false;         ///< When the last substep ended; until it is known whether it does now.
     double slip = 0;              ///< How far friction that holds has let it slide, when last resolved [m].
+    bool is_there_still = false;  ///< Of what pressed when an elastic step ended: as the next is found.
 };
 
 /// A row that pushes, and what its pushes do to the thread as a whole.
@@ -71,6 +72,12 @@ struct PushedRow {
     Eigen::Matrix3d own = {};           ///< How its points give way to pushes on themselves,
     double mobility = 0;                ///< along the normal.
     Eigen::Matrix3d against = {};       ///< Times a slip: the push that undoes it.
+};
+
+/// What pressed on a piece of thread as it fell asleep.
+struct SleepingPress {
+    Row row;                            ///< Pushes in newtons.
+    geometry::Triangle wall;            ///< Where that was, if it is one.
 };
 
 /// A contact of an elastic thread during one step.
@@ -222,6 +229,10 @@ struct State {
     std::vector<int> pushing, wrong;     ///< Scratch: presses, in their order.
     std::vector<double> push_change;
     std::vector<Row> pressed;          ///< What pressed when its last step ended; pushes in newtons.
+    std::vector<char> asleep;          ///< Per node: whether its piece sleeps.
+    std::vector<SleepingPress> sleeping;
+    std::vector<Vec3> watched;         ///< Where each node was when it was last looked at whether its piece is still,
+    int watched_ticks = 0;             ///< so many ticks ago.
 
     LinkTree tree;
     std::vector<int> found;            ///< Scratch.
@@ -395,6 +406,21 @@ bool cut(State& state, std::size_t link, double share, std::span<int> held);
 int most_loaded(const State& state);
 /// By how much the thread turns at a node [rad], as the chord of the angle; not at all at the ends of a piece.
 double turn_at(const State& state, std::size_t node);
+
+/// Whether a link's piece sleeps (sleep.cpp).
+inline bool sleeps(const State& state, int link) { return !state.asleep.empty() && state.asleep[static_cast<std::size_t>(link)] && state.asleep[static_cast<std::size_t>(link) + 1]; }
+/// The piece that a link is of.
+void wake_at(State& state, std::size_t link);
+/// As a tick begins: pieces whose holds or walls have moved wake.
+void wake_what_is_moved(State& state);
+/// As it ends: those that something has come to wake, those that have long been still fall asleep.
+void watch_over_pieces(State& state);
+/// All that pressed when last solved, of pieces that sleep and that do not.
+template <class Change>
+void for_all_pressed(State& state, Change change) {
+    for (Row& row : state.pressed) change(row);
+    for (SleepingPress& press : state.sleeping) change(press.row);
+}
 
 /// What the thread does to the surface as it lies now, after the tick's tensions are known (surface.cpp).
 void find_surface_forces(State& state);

@@ -5,9 +5,14 @@
 namespace sim::thread {
 
 static void find_pressed(State& state) {
+    const auto force_of = [](const Row& row) -> SurfaceForce { return {row.other, row.fixed, -(row.normal_push * row.normal + row.tangent_push), row.link}; };
     for (const Row& row : state.pressed)
-        if (row.against == Against::surface)
-            state.surface_forces.push_back({row.other, row.fixed, -(row.normal_push * row.normal + row.tangent_push), row.link});
+        if (row.against == Against::surface) state.surface_forces.push_back(force_of(row));
+    for (const SleepingPress& press : state.sleeping) {
+        if (press.row.against != Against::surface) continue;
+        state.surface_forces.push_back(force_of(press.row));
+        state.surface_forces.back().asleep = press.wall;
+    }
 }
 
 // Nodes that turn a taut strand by resting on a wall: both links pull there.

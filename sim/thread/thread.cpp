@@ -64,6 +64,9 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::sp
     for (const int cut : cuts) rod->leave_out(static_cast<std::size_t>(cut), static_cast<std::size_t>(cut) + 1);
     rod->resize();
     rod->reserve(most);
+    watched = nodes;
+    asleep.assign(nodes.size(), 0);
+    watched.reserve(most + 1), asleep.reserve(most + 1), sleeping.reserve(2 * most);
     for (auto* of_presses : {&presses, &all_presses}) of_presses->reserve(2 * most);
     all_apart.reserve(6 * most), piece_of.reserve(most + 1);
     pressed.reserve(2 * most);
@@ -179,10 +182,14 @@ std::uint64_t Thread::hash() const {
             for (int c = 0; c < 3; ++c) add(v[c]);
         if (impl_->state.def.elastic->yield_strain > 0)
             for (const double bend : impl_->state.rod->natural_bends()) add(bend);
-        for (const Row& row : impl_->state.pressed) {
+        for_all_pressed(impl_->state, [&](const Row& row) {
             add(row.normal_push);
             for (int c = 0; c < 3; ++c) add(row.tangent_push[c]);
-        }
+        });
+        for (const char asleep : impl_->state.asleep) add(asleep);
+        for (const Vec3& p : impl_->state.watched)
+            for (int c = 0; c < 3; ++c) add(p[c]);
+        add(impl_->state.watched_ticks);
     }
     const Unfinished& unfinished = impl_->state.unfinished;
     add(unfinished.pace);

@@ -76,6 +76,7 @@ struct SurfaceForce {
     Vec3 at;        ///< On it [m].
     Vec3 force;     ///< [N]
     int link;       ///< That presses.
+    std::optional<geometry::Triangle> asleep = {};  ///< Of a piece that stays where it is: the triangle as it was when that fell asleep.
 };
 
 /// How near a link is to one of the surface's triangles.

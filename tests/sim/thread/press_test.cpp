@@ -74,7 +74,50 @@ struct Cut {
     sim::thread::Row row{};
 };
 
+using sim::thread::Against;
+using sim::thread::Row;
+
+// A link's middle on a wall's triangle, which it just touches.
+Row on_wall(int triangle, const Vec3& normal) {
+    const double radius = sim::thread::ThreadDef{}.radius;
+    return {Against::surface, 3, triangle, radius, 0.15, radius, 0.5, 0, normal, radius * normal, Vec3::Zero(), radius};
+}
+
+// What it pressed there with, mN: not so that it slides.
+Row pressed(int triangle, const Vec3& push) {
+    Row row = on_wall(triangle, Vec3::UnitZ());
+    row.normal_push = 1e-3 * push.z();
+    row.tangent_push = 1e-3 * Vec3(push.x(), push.y(), 0);
+    return row;
+}
+
+Vec3 pushed(const State& state) {
+    Vec3 sum = Vec3::Zero();
+    for (const auto& press : state.presses) sum += 1e3 * press.push;
+    return sum;
+}
+
 }  // namespace
+
+// A thread that rests on a wall where two of its triangles meet is now nearer to one and now to the other. What it presses with, and what of that sticks, is
+// the wall's; to another that faces another way it is nothing.
+TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
+    const Vec3 push(0.1, 0.05, 1), turned = Vec3(std::sin(0.1), 0, std::cos(0.1)), aside = Vec3(std::sin(0.5), 0, std::cos(0.5));
+    State state(Cut::thread(), Cut::line());
+    state.pressed = {pressed(7, push)};
+    state.rows = {on_wall(8, Vec3::UnitZ())};
+    sim::thread::find_presses(state);
+    EXPECT_LE((pushed(state) - push).norm(), 1e-12);  // rounding of numbers about 1
+    state.rows = {on_wall(8, turned)};
+    sim::thread::find_presses(state);
+    EXPECT_NEAR(pushed(state).norm(), push.norm(), 0.02);  // 0.1 rad of it is turned away
+    state.rows = {on_wall(7, Vec3::UnitZ()), on_wall(8, Vec3::UnitZ())};
+    sim::thread::find_presses(state);
+    EXPECT_LE((pushed(state) - push).norm(), 1e-12);  // not twice
+    state.rows = {on_wall(8, aside)};
+    sim::thread::find_presses(state);
+    EXPECT_EQ(pushed(state).norm(), 0);
+}
 
 // Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's dense inverse. What one push moves is
 // moved by push_more().
