@@ -230,10 +230,10 @@ TEST(Drills, ARunningSutureGoesRoundTheVessel) {
     EXPECT_TRUE(fs::exists(scratch("end-to-end-running") / "end-close.png")) << "where no knot is, the bites are looked at";
 }
 
-// Three stay sutures, each with a thread of its own that lies ready: all of it takes ten minutes. Here the first needle is fetched, and its thread's other end
+// Three stay sutures, each with a thread of its own that lies ready: all of it takes half an hour. Here the first needle is fetched, and its thread's other end
 // by the assistant, and taken through both ends beside the two that wait; under the sanitizers it is fetched.
 TEST(Drills, TheFirstOfThreeThreadsIsTakenFromWhereItLies) {
-    const Played played = play("stay-sutures", "--input " + motion_until("stay-sutures", sanitized ? 6.2 : 13.2).string());
+    const Played played = play("stay-sutures", "--input " + motion_until("stay-sutures", sanitized ? 7.4 : 14.2).string());
     EXPECT_EQ(played.exit, 0);
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
     auto count = events_of(played);
