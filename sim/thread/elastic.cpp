@@ -138,8 +138,7 @@ void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     const int enough = state.def.contacts_per_tick;
     Rod& rod = *state.rod;
     wake_what_is_moved(state);
-    for (std::size_t i = 0; i < state.asleep.size(); ++i)
-        if (state.asleep[i]) state.inverse_mass[i] = 0;
+    hold_what_sleeps(state);
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}, .asleep = state.asleep}, state.input.seconds);
     Left left;
     int pressed = 0;

@@ -140,8 +140,7 @@ bool fit_links(State& state, std::span<int> held) {
     if (state.def.shortest_link <= 0 || state.settled || stands) return false;
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);
     for (const int node : held) state.inverse_mass[at(node)] = 0;
-    for (std::size_t i = 0; i < state.asleep.size(); ++i)
-        if (state.asleep[i]) state.inverse_mass[i] = 0;
+    hold_what_sleeps(state);
     measure_nearest(state);
     const bool joined = join_where_straight(state, held), halved = halve_where_needed(state, held);
     if (!joined && !halved) return false;

@@ -84,6 +84,11 @@ void wake_what_is_touched(State& state) {
 
 }  // namespace
 
+void hold_what_sleeps(State& state) {
+    for (std::size_t i = 0; i < state.asleep.size(); ++i)
+        if (state.asleep[i]) state.inverse_mass[i] = 0;
+}
+
 void wake_at(State& state, std::size_t link) { wake(state, static_cast<int>(link)); }
 
 void wake_what_is_moved(State& state) {

@@ -409,7 +409,9 @@ double turn_at(const State& state, std::size_t node);
 
 /// Whether a link's piece sleeps (sleep.cpp).
 inline bool sleeps(const State& state, int link) { return !state.asleep.empty() && state.asleep[static_cast<std::size_t>(link)] && state.asleep[static_cast<std::size_t>(link) + 1]; }
-/// The piece that a link is of.
+/// As holds do: nothing moves its nodes.
+void hold_what_sleeps(State& state);
+/// Wakes the piece that a link is of.
 void wake_at(State& state, std::size_t link);
 /// As a tick begins: pieces whose holds or walls have moved wake.
 void wake_what_is_moved(State& state);
