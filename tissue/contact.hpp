@@ -67,7 +67,8 @@ class WallContact {
     void push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Mesh& rest_of_triangles, const Skin& triangles_of,
               std::vector<PointForce>& on_triangles);
     std::array<int, 3> cell(const Vec3& at) const;
-    int number(int x, int y, int z) const { return (x * size_[1] + y) * size_[2] + z; }
+    int column(int x, int y) const { return x * size_[1] + y; }
+    int number(int x, int y, int z) const { return column(x, y) * size_[2] + z; }
 
     ContactDef def_;
     double thickness_;
@@ -77,9 +78,9 @@ class WallContact {
     std::array<int, 3> size_{};
     std::vector<int> face_;                      // of a node, one of its faces; -1
     std::vector<bool> is_bent_;                  // nodes that have gone from their rest
-    std::vector<std::array<int, 2>> sorted_;     // cells and nodes in them,
-    std::vector<std::array<int, 2>> bent_sorted_;  // and those of the bent ones
-    Box about_, about_bent_;                     // boxes of both
+    std::vector<std::array<int, 2>> sorted_;     // cells and nodes in them
+    std::vector<int> first_;                     // of a column of cells, the first of these
+    Box about_, about_bent_;                     // boxes of the nodes in cells, and of the bent ones among them
     std::vector<Nearest> nearest_;
     std::array<std::vector<Vec3>, 4> normals_;   // of each side of the wall, at its nodes; of any length
 };

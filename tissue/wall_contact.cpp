@@ -1,6 +1,7 @@
 // Walls against each other and themselves.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/geometry/closest_points.hpp"
 #include "tissue/contact.hpp"
@@ -26,9 +27,9 @@ std::array<int, 3> WallContact::cell(const Vec3& at) const {
     return found;
 }
 
-// Nodes of the surface in `where`, by cells of a grid.
+// Nodes of the surface in `where`, by cells of a grid; those of a column follow each other.
 void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& where) {
-    constexpr double most_along = 64;
+    constexpr int most_along = 64, most_columns = (most_along + 1) * (most_along + 1);
     grid_ = where;
     const Vec3 extent = grid_.high - grid_.low;
     edge_ = std::max(0.5 * thickness_, extent.maxCoeff() / most_along);
@@ -36,22 +37,22 @@ void WallContact::sort_nodes(const Mesh& rest, const Skin& skin, const Box& wher
     face_.assign(skin.nodes().size(), -1);
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         for (const int i : rest.faces[f].nodes) face_[static_cast<std::size_t>(i)] = static_cast<int>(f);
-    sorted_.reserve(face_.size()), bent_sorted_.reserve(face_.size());
-    sorted_.clear(), bent_sorted_.clear();
+    sorted_.reserve(face_.size()), first_.reserve(most_columns + 1);
+    sorted_.clear(), first_.assign(static_cast<std::size_t>(size_[0] * size_[1] + 1), 0);
     for (std::size_t i = 0; i < face_.size(); ++i) {
         const Vec3& at = skin.nodes()[i];
         if (face_[i] < 0 || !grid_.overlaps({at, at})) continue;
         const auto [x, y, z] = cell(at);
         sorted_.push_back({number(x, y, z), static_cast<int>(i)});
+        ++first_[static_cast<std::size_t>(column(x, y) + 1)];
     }
     std::sort(sorted_.begin(), sorted_.end());
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
     about_ = about_bent_ = {};
     for (const auto& of_cell : sorted_) {
         const auto node = static_cast<std::size_t>(of_cell[1]);
         about_.include(skin.nodes()[node]);
-        if (!is_bent_[node]) continue;
-        about_bent_.include(skin.nodes()[node]);
-        bent_sorted_.push_back(of_cell);
+        if (is_bent_[node]) about_bent_.include(skin.nodes()[node]);
     }
     nearest_.assign(face_.size(), {-1, 0.5 * thickness_, 0, Vec3::Zero()});
 }
@@ -85,15 +86,18 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
     for (int t = 0; t < triangles_of.size(); ++t) {
         const auto& corners = rest.faces[static_cast<std::size_t>(triangles_of.face(t))].nodes;
         const bool all = !same || std::any_of(corners.begin(), corners.end(), [&](int i) { return is_bent_[static_cast<std::size_t>(i)]; });
-        const auto& nodes = all ? sorted_ : bent_sorted_;
         const Box around = triangles_of.box(t).grown(0.5 * thickness_);
         if (!around.overlaps(all ? about_ : about_bent_)) continue;
         const Vec3 up = triangles_of.normal(t);
         const auto low = cell(around.low), high = cell(around.high);
         for (int x = low[0]; x <= high[0]; ++x)
             for (int y = low[1]; y <= high[1]; ++y) {
-                const auto begin = std::lower_bound(nodes.begin(), nodes.end(), std::array{number(x, y, low[2]), 0});
-                for (auto k = begin; k != nodes.end() && (*k)[0] <= number(x, y, high[2]); ++k) look_at(rest, nodes_of, (*k)[1], triangles_of, t, up, same);
+                const auto in_column = static_cast<std::size_t>(column(x, y));
+                for (int k = first_[in_column]; k < first_[in_column + 1]; ++k) {
+                    const auto [in_cell, node] = sorted_[static_cast<std::size_t>(k)];
+                    if (in_cell < number(x, y, low[2]) || in_cell > number(x, y, high[2]) || !(all || is_bent_[static_cast<std::size_t>(node)])) continue;
+                    look_at(rest, nodes_of, node, triangles_of, t, up, same);
+                }
             }
     }
 }
