@@ -72,10 +72,13 @@ int crossings(const Moving& p, const Moving& q) {
 // Cheap and certain: what starts farther apart than both can move along any axis cannot meet.
 bool apart(const Box& a, const Box& b) { return !a.overlaps(b); }
 
-bool pierces(const Moving& p, const Box& swept, const geometry::Triangle& tri) {
+Box box_of(const geometry::Triangle& tri) {
     Box box;
     for (const Vec3* corner : {&tri.a, &tri.b, &tri.c}) box.include(*corner);
-    if (apart(box, swept)) return false;
+    return box;
+}
+
+bool pierces(const Moving& p, const geometry::Triangle& tri) {
     // A static triangle: the ends' paths and the final link against it. A link that slid over an edge shows at its ends
     // or in its final place, for it cannot leave a closed surface again within one substep.
     const auto through = [&](const Vec3& from, const Vec3& to) {
@@ -133,10 +136,11 @@ int audit(const State& state) {
         for (int p = 0; p < blocks; ++p) {
             state.audit_found.clear();
             state.input.surface->near(boxes[static_cast<std::size_t>(p)], state.audit_found);
-            if (state.audit_found.empty()) continue;
-            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
-                const Box& swept = swept_by[static_cast<std::size_t>(i)];
-                for (const int t : state.audit_found) met += pierces(link(i), swept, (*state.input.surface)[t]);
+            for (const int t : state.audit_found) {
+                const geometry::Triangle& tri = (*state.input.surface)[t];
+                const Box box = box_of(tri);
+                for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
+                    if (!apart(box, swept_by[static_cast<std::size_t>(i)])) met += pierces(link(i), tri);
             }
         }
     return met;
