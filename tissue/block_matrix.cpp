@@ -141,17 +141,19 @@ bool BlockMatrix::finish(std::size_t j) {
     if (!(left22 > size)) return false;
     const double c = 1 / std::sqrt(left22), i10 = -m10 * a * b, i21 = -m21 * b * c, i20 = -(m20 * a + m21 * i10) * c;
     own = {Lane(a, i10, i20, 0), Lane(0, b, i21, 0), Lane(0, 0, c, 0)};
-    const auto shortened = [&](int t) {
-        for (std::size_t k = 0; k < 3; ++k) finished_[static_cast<std::size_t>(t)][k] = ShortLane(next_[static_cast<std::size_t>(t)][k]);
-    };
-    shortened(first_[j]);
-    for (int t = first_[j] + 1; t < first_[j + 1]; ++t) {
-        Padded& block = next_[static_cast<std::size_t>(t)];
+    const auto begin = static_cast<std::size_t>(first_[j]), end = static_cast<std::size_t>(first_[j + 1]);
+    finished_.set(begin, own);
+    for (std::size_t t = begin + 1; t < end; ++t) {
+        Padded& block = next_[t];
         const Padded was = block;
         block = {was[0] * a, was[0] * i10 + was[1] * b, was[0] * i20 + was[1] * i21 + was[2] * c};
-        shortened(t);
+        finished_.set(t, block);
     }
     return true;
+}
+
+void BlockMatrix::Short::set(std::size_t block, const Padded& columns) {
+    for (std::size_t k = 0; k < 3; ++k) to_short(columns[k], numbers.data() + 9 * block + 3 * k);
 }
 
 bool BlockMatrix::factor(long work) {
@@ -169,7 +171,7 @@ bool BlockMatrix::factor(long work) {
 }
 
 void BlockMatrix::use() {
-    factors_.swap(finished_);
+    std::swap(factors_, finished_);
 }
 
 void BlockMatrix::solve(std::vector<Vec3>& x) {
@@ -180,26 +182,27 @@ void BlockMatrix::solve(std::vector<Vec3>& x) {
     }
     for (std::size_t j = 0; j < n; ++j) {
         const auto begin = static_cast<std::size_t>(first_[j]), end = static_cast<std::size_t>(first_[j + 1]);
-        const ShortBlock& own = factors_[begin];
-        const Lane y = Lane(own[0]) * x_[j][0] + Lane(own[1]) * x_[j][1] + Lane(own[2]) * x_[j][2], y0(y[0]), y1(y[1]), y2(y[2]);
+        const auto own = [&](std::size_t k) { return factors_.column(begin, k); };
+        const Lane y = own(0) * x_[j][0] + own(1) * x_[j][1] + own(2) * x_[j][2], y0(y[0]), y1(y[1]), y2(y[2]);
         x_[j] = y;
         for (std::size_t t = begin + 1; t < end; ++t) {
-            const ShortBlock& l = factors_[t];
+            const auto l = [&](std::size_t k) { return factors_.column(t, k); };
             Lane& to = x_[static_cast<std::size_t>(row_[t])];
-            to = less_product(less_product(less_product(to, l[0], y0), l[1], y1), l[2], y2);
+            to = less_product(less_product(less_product(to, l(0), y0), l(1), y1), l(2), y2);
         }
     }
     for (std::size_t j = n; j-- > 0;) {
         const auto begin = static_cast<std::size_t>(first_[j]), end = static_cast<std::size_t>(first_[j + 1]);
         Lane s0, s1, s2;
         for (std::size_t t = begin + 1; t < end; ++t) {
-            const ShortBlock& l = factors_[t];
+            const auto l = [&](std::size_t k) { return factors_.column(t, k); };
             const Lane& below = x_[static_cast<std::size_t>(row_[t])];
-            s0 = less_product(s0, l[0], below), s1 = less_product(s1, l[1], below), s2 = less_product(s2, l[2], below);
+            s0 = less_product(s0, l(0), below), s1 = less_product(s1, l(1), below), s2 = less_product(s2, l(2), below);
         }
-        const ShortBlock& own = factors_[begin];
-        const Lane y = x_[j] + Lane(s0.sum(), s1.sum(), s2.sum(), 0);
-        x_[j] = Lane((Lane(own[0]) * y).sum(), (Lane(own[1]) * y).sum(), (Lane(own[2]) * y).sum(), 0);
+        const auto own = [&](std::size_t k) { return factors_.column(begin, k); };
+        Lane y = x_[j] + Lane(s0.sum(), s1.sum(), s2.sum(), 0);
+        y.clear_from(3);  // what the columns' fourth numbers made of it
+        x_[j] = Lane((own(0) * y).sum(), (own(1) * y).sum(), (own(2) * y).sum(), 0);
     }
     for (std::size_t r = 0; r < n; ++r) x[static_cast<std::size_t>(node_[r])] = Vec3(x_[r][0], x_[r][1], x_[r][2]);
 }

@@ -46,7 +46,14 @@ class BlockMatrix {
 
   private:
     using Padded = std::array<Lane, 3>;             // columns of a block, their last number zero
-    using ShortBlock = std::array<ShortLane, 3>;
+    // To 24 bits without padding, as memory is what a solve waits for: columns of three numbers follow each other, and are fetched
+    // with one of the next.
+    struct Short {
+        std::vector<float> numbers;
+        void resize(std::size_t blocks) { numbers.resize(9 * blocks + 1); }
+        Lane column(std::size_t block, std::size_t k) const { return from_short(numbers.data() + 9 * block + 3 * k); }
+        void set(std::size_t block, const Padded& columns);
+    };
 
     void analyse(std::span<const std::array<int, 2>> couplings);
     void update(std::size_t column);
@@ -56,7 +63,7 @@ class BlockMatrix {
     std::vector<int> first_, row_, column_;         // of column j blocks first_[j] to first_[j + 1] - 1, its diagonal first; of a block
     std::vector<int> first_update_, update_;        // of row j, the blocks left of its diagonal
     std::vector<Padded> next_;
-    std::vector<ShortBlock> finished_, factors_;    // of the matrix at work as far as it has come, of the one before
+    Short finished_, factors_;                      // of the matrix at work as far as it has come, of the one before
     std::vector<int> where_;                        // of a row, its block in the column at work
     std::vector<Lane> x_;
     std::size_t at_ = 0;                            // columns before are factored
