@@ -131,8 +131,12 @@ TEST(Drills, SurgeonsIsTiedNamedAndReplayed) {
 
 TEST(Drills, SquareIsTiedNamedAndReplayed) {
     expect_tied("square-knot", "square", "1=1", true, "17a30586d7ab9b86");
-    expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 3000", "3000");
-    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 0 WHERE name = 'knot'", "recorded knot (Knot) square, asked \"square\", missed");
+}
+
+TEST(Drills, AForgedRecordingIsFoundOut) {
+    EXPECT_EQ(play("square-knot", "--input " + motion_until("square-knot", 1.5).string()).exit, 0);
+    expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 1000", "1000");
+    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 1 WHERE name = 'knot'", "recorded knot (Knot) none, asked \"square\", passed");
     expect_tampering_is_found("square-knot", "UPDATE score SET band = 'at most 900' WHERE name = 'time'", "asked \"at most 900\"");
     expect_tampering_is_found("square-knot", "UPDATE event SET t_s = t_s + 1 WHERE rowid = 1", "the events differ, recorded ");
     expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'", "replayed pass_throughs");
