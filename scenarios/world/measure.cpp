@@ -90,38 +90,46 @@ static bool ties_more(const sim::knot::Tied& a, const sim::knot::Tied& b) {
     return much(a) > much(b);
 }
 
-static TiedPiece most_tied(const std::vector<std::vector<Vec3>>& curves, const std::vector<std::vector<Vec3>>& cores) {
-    TiedPiece most{sim::knot::name_among(curves.front(), cores)};
-    for (std::size_t i = 1; i < curves.size(); ++i)
-        if (auto tied = sim::knot::name_among(curves[i], cores); ties_more(tied, most.tied)) most = {std::move(tied), static_cast<int>(i)};
-    return most;
+// A piece that lies where it lay has the name it had.
+static std::vector<NamedPiece> name_all(std::vector<std::vector<Vec3>> curves, const std::vector<std::vector<Vec3>>& cores, const std::vector<NamedPiece>& known) {
+    std::vector<NamedPiece> pieces;
+    for (auto& curve : curves) {
+        const auto same = std::find_if(known.begin(), known.end(), [&](const NamedPiece& piece) { return piece.curve == curve; });
+        sim::knot::Tied tied = same != known.end() ? same->tied : sim::knot::name_among(curve, cores);
+        pieces.push_back({std::move(curve), std::move(tied)});
+    }
+    return pieces;
 }
 
 // Ten names a second, faster than anyone reads them, each of a copy on another thread: no tick waits for the 2 ms that a
 // name takes. It is taken at a tick known beforehand, so that a session is the same however busy the machine is.
 void World::name_beside() {
     constexpr std::uint64_t period = 100, delay = 20;  // [ticks]
-    if (naming_.valid() && ticks_ % period == delay) take_name(naming_.get());
+    if (naming_.valid() && ticks_ % period == delay) take_names(naming_.get());
     if (ticks_ % period != 0 || !moved_since_named_) return;
     moved_since_named_ = false;
-    naming_ = std::async(std::launch::async, [curves = curves(), cores = cores_] { return most_tied(curves, cores); });
+    naming_ = std::async(std::launch::async, [curves = curves(), cores = cores_, known = named_]() mutable { return name_all(std::move(curves), cores, known); });
 }
 
 void World::name_knot_now() {
     if (naming_.valid()) naming_.get();  // out of date
     moved_since_named_ = false;
-    take_name(most_tied(curves(), cores_));
+    take_names(name_all(curves(), cores_, named_));
 }
 
-void World::take_name(TiedPiece found) {
-    auto& [tied, piece] = found;
-    if (tied.name.knot != measures_.knot.knot || tied.name.surgical != measures_.knot.surgical) {
-        log("knot", tied.name.called(), 0);
+void World::take_names(std::vector<NamedPiece> pieces) {
+    named_ = std::move(pieces);
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < named_.size(); ++i)
+        if (ties_more(named_[i].tied, named_[most].tied)) most = i;
+    const auto& [name, round] = named_[most].tied;
+    if (name.knot != measures_.knot.knot || name.surgical != measures_.knot.surgical) {
+        log("knot", name.called(), 0);
         measures_.knot_since_s = time_s();
     }
-    measures_.knot = std::move(tied.name);
-    measures_.hitched_to = tied.round;
-    measures_.piece = piece;
+    measures_.knot = name;
+    measures_.hitched_to = round;
+    measures_.piece = static_cast<int>(most);
 }
 
 }  // namespace scenarios::world

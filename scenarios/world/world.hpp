@@ -71,10 +71,10 @@ struct Needle {
     Arc led_by(const instruments::Pose& tool) const;
 };
 
-/// What the most tied of several pieces of thread is tied to.
-struct TiedPiece {
+/// A piece of thread and what it is tied to.
+struct NamedPiece {
+    std::vector<sim::geometry::Vec3> curve;
     sim::knot::Tied tied;
-    int piece = 0;
 };
 
 /// Worst of the whole session so far; a drill's result quotes them.
@@ -157,7 +157,7 @@ class World {
     void hold_pieces(Tool& tool, std::span<const int> held);
     double place_mm(int link, double share) const;
     void name_beside();
-    void take_name(TiedPiece tied);
+    void take_names(std::vector<NamedPiece> pieces);
     std::vector<Vec3> curve_of(const sim::thread::Piece& piece) const;
     std::span<const double> rest_of(const sim::thread::Piece& piece) const;
     void locate_hitch(const VesselDef& vessel, const sim::thread::Piece& piece);
@@ -224,7 +224,8 @@ class World {
     double tension_now_ = 0, stretch_now_ = 0;
     sim::thread::Strength strength_;
     bool moved_since_named_ = true;
-    std::future<TiedPiece> naming_;
+    std::future<std::vector<NamedPiece>> naming_;
+    std::vector<NamedPiece> named_;                        // last; of pieces that are tied alike the first counts
     std::vector<std::vector<sim::geometry::Vec3>> cores_;  // of the vessels
 };
 
