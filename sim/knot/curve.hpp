@@ -53,6 +53,8 @@ bool either_way(const Polygons& components, const std::vector<bool>& closed, con
 /// when empty. Bounded work: about 1e7 edge tests, then it stops early.
 void drop_empty_triangles(Polygons& polygons, const std::vector<bool>& pinned = {});
 
+constexpr int most_votes = 24;  ///< Ways tried to lead out a buried end.
+
 /// The components with fewer vertices, open ones with their ends: close_outside with any of the first `votes` votes gives
 /// the types that it gave.
 Polygons reduced(const Polygons& components, const std::vector<bool>& closed, const std::vector<Ways>& ways, int votes);

@@ -25,7 +25,7 @@ Name named(const Seen& seen, Work& work) {
 }
 
 // Types found over several ways of leading out buried ends. Eight that agree are enough.
-constexpr int most_votes = 24, unanimous = 8;
+constexpr int unanimous = 8;
 
 Name voted(const Polygons& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, Work& work) {
     std::map<std::string, int> share;

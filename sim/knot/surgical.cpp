@@ -46,6 +46,11 @@ std::string working_knot(const std::vector<Vec3>& strand, const std::vector<Fact
     return is_bowline(strand, factors.front()) ? "bowline" : "";
 }
 
+std::vector<Vec3> straightened_from_its_end(const std::vector<Vec3>& strand) {
+    const Polygons back{{strand.rbegin(), strand.rend()}};
+    return reduced(back, {false}, ways_out(back, {false}), most_votes).front();
+}
+
 }  // namespace
 
 void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few, const Identity& whole, Work& work,
@@ -62,6 +67,9 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
     }
     if (throws.size() > 1) {
         auto ordered = in_order(throws, views_of(few, work), whole);
+        // Strands that were straightened may lie so that the order cannot be told, in one of a hundred attitudes; from the other end they come to lie otherwise.
+        Work more;
+        if (!ordered) ordered = in_order(throws, views_of(straightened_from_its_end(strand), more), whole);
         if (!ordered) return;
         throws = std::move(*ordered);
         name.flat = unevenness(strand) < least_uneven;
