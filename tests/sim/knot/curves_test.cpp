@@ -141,7 +141,7 @@ TEST(TiedStitch, IsReadAlikeHoweverItIsTurned) {
         for (double x, y, z; file >> x >> y >> z;) stitch.emplace_back(x, y, z);
         ASSERT_GT(stitch.size(), 100);
         std::mt19937 random(1);
-        constexpr int turns = 100;
+        constexpr int turns = 40;
         int read = 0;
         for (int turn = 0; turn <= turns; ++turn) {
             const auto name = sim::knot::name_knot(turn == 0 ? stitch : ropes::turned(stitch, random));
