@@ -67,7 +67,7 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
     }
     if (throws.size() > 1) {
         auto ordered = in_order(throws, views_of(few, work), whole);
-        // Strands that were straightened may lie so that the order cannot be told, in one of a hundred attitudes; from the other end they come to lie otherwise.
+        // Strands that were straightened may lie so that the order cannot be told, in two of a hundred attitudes; from the other end they come to lie otherwise.
         Work more;
         if (!ordered) ordered = in_order(throws, views_of(straightened_from_its_end(strand), more), whole);
         if (!ordered) return;

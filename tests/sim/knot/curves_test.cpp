@@ -133,7 +133,7 @@ TEST(LabelledCurves, HitchesAndWorkingKnotsAreCalledByTheirNames) {
 }
 
 // Tied stitches as they lie in space: from some sides a strand hides the order of the throws, which others show; straightened, the capsized one hid it
-// from six of them in one of a hundred attitudes, and as it lay.
+// from six of them in two of a hundred attitudes, and as it lay.
 TEST(TiedStitch, IsReadAlikeHoweverItIsTurned) {
     for (const char* of : {"stitch-2-1-1", "stitch-2-1-1-capsized"}) {
         ropes::Rope stitch;
