@@ -33,7 +33,7 @@ Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(with_shallow_dimple(de
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         if (rest.faces[f].side == Side::cut) cut_.push_back(static_cast<int>(f));
     constexpr std::size_t room = 64;
-    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room), pulls_.reserve(room);
+    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room), pulls_.reserve(room), wires_.reserve(room);
 }
 
 void Bites::press(const Arc* needle, const Skin& skin) {
@@ -54,6 +54,7 @@ void Bites::press(const Arc* needle, const Skin& skin) {
 
 void Bites::settle(Skin& skin) {
     force_ = Vec3::Zero();
+    skin.set_wires({});
     if (!has_needle_) return;
     follow(skin);
     pulls_.clear();
@@ -71,6 +72,15 @@ void Bites::settle(Skin& skin) {
     leave_by_tip();
     leave_by_tail();
     measure(skin);
+    give_rims_to_wire(skin);
+}
+
+// For what is swaged to its tail; while the tip is near, the skin is as that pierced it.
+void Bites::give_rims_to_wire(Skin& skin) {
+    wires_.clear();
+    for (const Crossing& crossing : crossings_)
+        if (crossing.along >= 0 && crossing.along < 0.5 * needle_.length()) wires_.push_back({crossing.hole, needle_.at(crossing.along), needle_.tangent(crossing.along)});
+    skin.set_wires(wires_);
 }
 
 // Taken away: what was open stays so, what was only pricked is empty.

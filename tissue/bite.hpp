@@ -125,6 +125,7 @@ class Bites {
     };
 
     void let_go();
+    void give_rims_to_wire(Skin& skin);
     bool is_outside(int piece) const;
     void press_shaft(const Arc& before, const Skin& skin);
     void settle_shaft(const Skin& skin);
@@ -163,6 +164,7 @@ class Bites {
     std::vector<int> cut_;              // faces
     Arc needle_;
     std::vector<double> pulls_;         // of the needle at its holes [N]
+    std::vector<Skin::Wire> wires_;
     bool has_needle_ = false;
     int passes_ = 0;
     Touch touch_;

@@ -1,6 +1,7 @@
 // Openings in the skin.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tissue/skin.hpp"
 
@@ -113,13 +114,14 @@ void Skin::anchor(int hole, const Outline& outline) {
 
 // It is cut out of the wall as it is at rest: a dimple in which it is pierced does not stay, and a rim that had its shape would stand out of it.
 int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius) {
-    Hole& hole = holes_.emplace_back(Hole{face, radius, weights_in_face(face, point), Vec3::Zero(), Eigen::Matrix3d::Identity()});
+    Hole& hole = holes_.emplace_back(Hole{face, radius, weights_in_face(face, point)});
     place(hole);
     const Vec3 in_frame = hole.frame.transpose() * way_now;
     pierced_at_.assign(nodes_.begin(), nodes_.end());
+    std::vector<Wire> wires = std::exchange(wires_, {});
     update(rest_);
     const Vec3 up = hole.frame.col(2), direction = hole.frame * in_frame;
-    const double steep = direction.dot(up), most_aslant = std::sqrt(3.0) * std::abs(steep);  // the tangent of 60 degrees
+    const double steep = direction.dot(up), most_aslant = std::sqrt(1 / (least_steep * least_steep) - 1) * std::abs(steep);
     const Vec3 aslant = direction - steep * up;
     const double bend = aslant.norm() > most_aslant ? most_aslant / aslant.norm() : 1;
     const Vec3 way = steep == 0 ? up : Vec3((steep * up + bend * aslant).normalized());
@@ -127,6 +129,8 @@ int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius
     const Outline outline{hole.centre, way, x, way.cross(x), up, radius};
     open(outline);
     anchor(holes() - 1, outline);
+    hole.way = hole.frame.transpose() * way;
+    wires_ = std::move(wires);
     update(pierced_at_);
     return holes() - 1;
 }
@@ -149,11 +153,13 @@ void Skin::open(const Outline& outline) {
 // Cut out of the wall at rest as a hole is. Nothing goes along with it: a rim as long as this is not rigid.
 void Skin::slit(int face, const Vec3& from, const Vec3& to, double radius) {
     pierced_at_.assign(nodes_.begin(), nodes_.end());
+    std::vector<Wire> wires = std::exchange(wires_, {});
     update(rest_);
     const Vec3 up = normal_of_face(face), way = to - from, along = way - way.dot(up) * up;
     const double length = along.norm();
     const Vec3 x = length > 0 ? Vec3(along / length) : Vec3((node(face, 1) - node(face, 0)).normalized());
     open({from, up, x, up.cross(x), up, radius, length});
+    wires_ = std::move(wires);
     update(pierced_at_);
 }
 

@@ -1,6 +1,7 @@
 #include "tissue/skin.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "sim/geometry/closest_points.hpp"
@@ -28,7 +29,7 @@ Skin::Skin(const Mesh& rest) : faces_(rest.faces), tetrahedron_(faces_.size()), 
             for (std::size_t k = 0; k < 3; ++k) place_in_[found->second][k] = static_cast<int>(std::find(tet.begin(), tet.end(), faces_[found->second].nodes[k]) - tet.begin());
         }
     const std::size_t with_holes = 4 * faces_.size() + 4096;  // a hole adds some thirty
-    triangles_.reserve(with_holes), boxes_.reserve(with_holes), face_.reserve(with_holes), parts_.reserve(with_holes), corners_.reserve(with_holes), holes_.reserve(128);
+    triangles_.reserve(with_holes), boxes_.reserve(with_holes), face_.reserve(with_holes), parts_.reserve(with_holes), corners_.reserve(with_holes), holes_.reserve(128), wires_.reserve(128);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
         face_.push_back(static_cast<int>(f));
         corners_.push_back({Corner{Vec3::UnitX()}, Corner{Vec3::UnitY()}, Corner{Vec3::UnitZ()}});
@@ -54,13 +55,29 @@ void Skin::place(Hole& hole) const {
     const Vec3 edge = node(hole.face, 1) - node(hole.face, 0), along = edge.normalized(), up = edge.cross(node(hole.face, 2) - node(hole.face, 0)).normalized();
     hole.centre = at_face(hole.face, hole.weights);
     hole.frame << along, up.cross(along), up;
+    hole.aside = Vec3::Zero(), hole.reshaped = Eigen::Matrix3d::Zero();
+}
+
+// As far as the wall is stretched along the way that something goes through it aslant, seen along which the opening then is as wide as across.
+Eigen::Matrix3d Skin::drawn_out(const Vec3& in_frame, bool back) {
+    const Vec3 flat = Vec3(in_frame.x(), in_frame.y(), 0).normalized();
+    const double steep = std::max(std::abs(in_frame.z()), least_steep);
+    return Eigen::Matrix3d::Identity() + ((back ? steep : 1 / steep) - 1) * flat * flat.transpose();
+}
+
+// Drawn out as the wire asks instead of the way that it was pierced.
+void Skin::put_on(const Wire& wire) {
+    Hole& hole = holes_[index(wire.hole)];
+    hole.aside = wire.at - hole.centre;
+    hole.reshaped = hole.frame * (drawn_out(hole.frame.transpose() * wire.along, false) * drawn_out(hole.way, true) - Eigen::Matrix3d::Identity());
 }
 
 Vec3 Skin::position(int face, const Corner& corner) const {
     const Vec3 carried = at_face(face, corner.weights);
     if (corner.hole < 0) return carried;
     const Hole& hole = holes_[index(corner.hole)];
-    return carried + corner.share * (hole.centre + hole.frame * corner.offset - carried);
+    const double radii = fade - corner.share * (fade - 1);  // further out nothing goes by more than the rim
+    return carried + corner.share * (hole.centre + hole.frame * corner.offset - carried + hole.aside + hole.reshaped * (corner.offset / radii));
 }
 
 void Skin::set_box(std::size_t i) {
@@ -72,6 +89,7 @@ void Skin::set_box(std::size_t i) {
 void Skin::update(std::span<const Vec3> nodes) {
     nodes_.assign(nodes.begin(), nodes.end());
     for (Hole& hole : holes_) place(hole);
+    for (const Wire& wire : wires_) put_on(wire);
     all_ = {};
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         triangles_[i] = {position(face_[i], corners_[i][0]), position(face_[i], corners_[i][1]), position(face_[i], corners_[i][2])};

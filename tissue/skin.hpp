@@ -17,8 +17,8 @@ struct Part {
 /// rests against its rim by ordinary contact.
 ///
 /// An opening is what remains of a regular octagon seen along the way that it was pierced. Its rim is as rigid as what is in it: its corners keep
-/// their places about the middle, which moves and turns with the wall; corners up to three radii from there go along, the less the further
-/// out, so that none but slivers turn over where the wall draws together by up to a third.
+/// their places about the middle, which moves and turns with the wall, or with a wire that is in it; corners up to three radii from there go along,
+/// the less the further out, so that none but slivers turn over where the wall draws together by up to a third.
 class Skin {
   public:
     /// The surface of `rest`, as it is there.
@@ -34,6 +34,15 @@ class Skin {
     /// Opens a strip from `from` to `to` [m], places of the wall at rest next to the plane of this face, as far as that looks the same way: as wide as a hole of
     /// `radius` [m], and over both ends by as much. It strains with the wall. Numbers of triangles change. 0.2 ms, once.
     void slit(int face, const Vec3& from, const Vec3& to, double radius);
+
+    /// A stiff thing in a hole: the place of it nearest to the hole's middle [m], and the way it goes there, or the opposite (unit).
+    struct Wire {
+        int hole;
+        Vec3 at, along;
+    };
+    /// From the next update on rims are about these, drawn out along the wall as what goes through it aslant asks, up to 60 degrees; all others are the wall's
+    /// again. However the wall bends beside a wire, it goes through its hole, and what is swaged to it comes after.
+    void set_wires(std::span<const Wire> wires) { wires_.assign(wires.begin(), wires.end()); }
 
     int openings() const { return openings_; }                                          ///< Holes and slits so far: triangles keep their numbers in between.
     /// What each triangle is part of, of those that there were when parts were last forgotten.
@@ -85,6 +94,7 @@ class Skin {
 
   private:
     static constexpr double fade = 3;  // radii from a hole's middle to where the wall no longer goes along
+    static constexpr double least_steep = 0.5;  // the sine of 30 degrees, to the wall: what runs flatter would slit it
 
     struct Corner {
         Vec3 weights;                 // of its face's nodes
@@ -96,8 +106,11 @@ class Skin {
         int face;
         double radius;
         Vec3 weights;                 // of its centre, in the face
-        Vec3 centre;
-        Eigen::Matrix3d frame;        // along an edge, across, normal
+        Vec3 centre = Vec3::Zero();
+        Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // along an edge, across, normal
+        Vec3 way = Vec3::UnitZ();     // that it was pierced, in the frame
+        Vec3 aside = Vec3::Zero();    // from its middle to a wire that is in it,
+        Eigen::Matrix3d reshaped = Eigen::Matrix3d::Zero();  // and how the rim's corners go to be round it
     };
     struct Outline;                   // of a hole while it is cut
     struct Polygon;
@@ -105,6 +118,8 @@ class Skin {
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     const Vec3& node(int face, std::size_t k) const { return nodes_[index(faces_[index(face)].nodes[k])]; }
     void place(Hole& hole) const;
+    static Eigen::Matrix3d drawn_out(const Vec3& in_frame, bool back);
+    void put_on(const Wire& wire);
     Vec3 position(int face, const Corner& corner) const;
     void set_box(std::size_t i);
     template <class Height>
@@ -124,6 +139,7 @@ class Skin {
     std::vector<Part> parts_;
     std::vector<std::array<Corner, 3>> corners_;
     std::vector<Hole> holes_;
+    std::vector<Wire> wires_;
     int openings_ = 0;
 };
 

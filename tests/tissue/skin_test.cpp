@@ -23,6 +23,12 @@ double area(const Skin& skin) {
     return sum;
 }
 
+std::vector<Vec3> corners(const Skin& skin) {
+    std::vector<Vec3> all;
+    for (int i = 0; i < skin.size(); ++i) all.insert(all.end(), {skin[i].a, skin[i].b, skin[i].c});
+    return all;
+}
+
 // Of the top of a box, next to (x, y).
 struct Slab {
     Mesh mesh = make_box({6, 6, 2}, edge);
@@ -172,6 +178,42 @@ TEST(Skin, KeepsItsHolesOpen) {
     }
 }
 
+// Rays beside a wire, as near as what is swaged to it, meet nothing, though the wall is tilted under it and has slid aside. Without being told of the
+// wire the opening is too narrow for them: seen along it by the cosine, a quarter.
+TEST(Skin, HasRimsRoundAWire) {
+    const double tilt = 75 * std::numbers::pi / 180;
+    for (const double turned : {0.0, 0.7, 2.2, 4.1})
+        for (const double sense : {1.0, -1.0}) {
+            SCOPED_TRACE(turned);
+            Slab slab;
+            const int hole = slab.pierce(1.5e-3, 1.27e-3);
+            const Vec3 middle = slab.skin.centre(hole), axis(std::cos(turned), std::sin(turned), 0);
+            std::vector<Vec3> tilted;
+            for (const Vec3& node : slab.mesh.nodes) tilted.push_back(middle + Eigen::AngleAxisd(tilt, axis) * (node - middle));
+            const Vec3 wire = middle + 0.8 * radius * axis;
+            const auto meets = [&] {
+                int met = 0;
+                for (int k = 0; k < 8; ++k) {
+                    const double turn = k * std::numbers::pi / 4;
+                    const Vec3 beside = wire + 0.4 * radius * Vec3(std::cos(turn), std::sin(turn), 0), up = 2 * radius * Vec3::UnitZ();
+                    met += slab.skin.hit(beside + up, beside - up, Skin::Facing::either).triangle >= 0;
+                }
+                return met;
+            };
+            slab.skin.update(tilted);
+            EXPECT_GT(meets(), 2);
+            const std::vector<Vec3> without = corners(slab.skin);
+            const Vec3 drawn = slab.skin.centre(hole);
+            slab.skin.set_wires(std::vector<Skin::Wire>{{hole, wire, sense * Vec3::UnitZ()}});
+            slab.skin.update(tilted);
+            EXPECT_EQ(meets(), 0);
+            EXPECT_EQ(slab.skin.centre(hole), drawn);  // the wall is drawn onto the wire by its own
+            slab.skin.set_wires({});
+            slab.skin.update(tilted);
+            EXPECT_TRUE(corners(slab.skin) == without);
+        }
+}
+
 // What a cell's face becomes is still that face's: its points are the wall's.
 TEST(Skin, KnowsThePointsOfTheWall) {
     Slab slab;
@@ -233,9 +275,7 @@ TEST(Skin, GivesTheSameBitsTwice) {
         Slab slab;
         for (int k = 0; k < 20; ++k) slab.pierce(1e-3 + 0.05e-3 * k, 1.1e-3 + 0.03e-3 * k);
         slab.skin.update(slab.mesh.nodes);
-        std::vector<Vec3> all;
-        for (int i = 0; i < slab.skin.size(); ++i) all.insert(all.end(), {slab.skin[i].a, slab.skin[i].b, slab.skin[i].c});
-        return all;
+        return corners(slab.skin);
     };
     const auto first = play(), second = play();
     ASSERT_EQ(first.size(), second.size());
