@@ -124,15 +124,15 @@ void Bites::hold(std::size_t i, const Skin& skin) {
     forces_.push_back({skin.point_of_hole(crossing.hole), def_.stiffness * (aside(crossing, skin) + pull), def_.stiffness});
 }
 
-void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force) {
+void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, const Vec3& way, double force) {
     touch_.active = false;
     const double along = place_on(needle_, skin.centre(hole), needle_.length());
     if (inwards) {
         Bite bite;
         if (crossings_.empty()) ++passes_;
         bite.pass = passes_;
-        const Vec3 tip = needle_.tangent(needle_.length()), cut = normal.cross(needle_.to_tail.cross(needle_.onwards));
-        bite.angle_to_wall = angle(tip.dot(normal), tip.cross(normal).norm());
+        const Vec3 cut = normal.cross(needle_.to_tail.cross(needle_.onwards));
+        bite.angle_to_wall = angle(way.dot(normal), way.cross(normal).norm());
         bite.angle_to_axis = angle(cut.cross(def_.axis).norm(), cut.dot(def_.axis));
         bites_.push_back(bite);
     }

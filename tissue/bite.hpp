@@ -113,7 +113,7 @@ class Bites {
         int face = 0;                   // none: -1
         Vec3 weights = Vec3::Zero();    // in the face
         Side first_side = Side::outer;
-        Vec3 first_normal = Vec3::Zero();
+        Vec3 first_normal = Vec3::Zero(), first_way = Vec3::Zero();  // of the skin, of the tip
         Vec3 tip = Vec3::Zero();        // of the needle; in the step in which the skin gives way, as far as it does
         double force = 0, gone = 0, gain = 0;  // [N], how far the tip went in a step [m], and how much force that added a metre
         bool gives_way = false, is_through = false;
@@ -144,7 +144,7 @@ class Bites {
     double friction_of(std::size_t crossing) const;
     Vec3 aside(const Crossing& crossing, const Skin& skin) const;
     void hold(std::size_t crossing, const Skin& skin);
-    void cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, double force);
+    void cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, const Vec3& way, double force);
     void leave_by_tip();
     bool is_at_last_hole() const;
     void leave_by_tail();

@@ -24,7 +24,7 @@ Vec3 Bites::touch_force(const Skin& skin) const {
 
 void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
     const int face = skin.face(spot.triangle);
-    touch_ = {.active = true, .inwards = !tip_is_in_wall(), .face = face, .weights = skin.weights_in_face(face, spot.at), .first_side = skin.side_of_face(face), .first_normal = skin.normal_of_face(face), .tip = needle_.tip()};
+    touch_ = {.active = true, .inwards = !tip_is_in_wall(), .face = face, .weights = skin.weights_in_face(face, spot.at), .first_side = skin.side_of_face(face), .first_normal = skin.normal_of_face(face), .first_way = needle_.tangent(needle_.length()), .tip = needle_.tip()};
 }
 
 // As far as the needle's tip, or where the last step foretells that the skin gives way: a quick needle's step would go far beyond.
@@ -48,7 +48,7 @@ void Bites::settle_touch(Skin& skin) {
         return;
     }
     const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights), needle_.tangent(needle_.length()), def_.hole);
-    cross(skin, hole, touch_.inwards, touch_.first_normal, force);
+    cross(skin, hole, touch_.inwards, touch_.first_normal, touch_.first_way, force);
 }
 
 // Drawn after the tip as far as friction does not hold it; over where it has left the wall, or an edge of it.
@@ -127,7 +127,7 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     if (spot.triangle < 0 && is_in_wall(rest_.tetrahedra, skin.nodes(), needle_.tip()) == was_in) return;
     if (spot.triangle < 0) {
         const int hole = hole_behind_tip(skin);
-        if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), 0);
+        if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), needle_.tangent(needle_.length()), 0);
         spot = behind_tip(skin);
     }
     if (spot.triangle < 0) spot = skin.closest(needle_.tip(), needle_.tip(), 1e-3);

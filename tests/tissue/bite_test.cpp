@@ -97,6 +97,18 @@ TEST(Bites, KnowWhereTheyWere) {
     EXPECT_EQ(scene.skin.holes(), 2);
 }
 
+// Where the skin is first touched: the needle has turned on by 19 degrees when it gives way at the higher threshold.
+TEST(Bites, AreMetAtAnAngleThatTheirThresholdDoesNotChange) {
+    const auto angle = [](double puncture) {
+        Stitching scene({.puncture = puncture});
+        Log log;
+        swing(scene, down_and_out, -0.1e-3, 3e-3, log);
+        EXPECT_EQ(log[0].substr(0, 1), "p");
+        return scene.bites.bites().empty() ? 0 : scene.bites.bites()[0].angle_to_wall;
+    };
+    EXPECT_EQ(angle(20e-3), angle(2e-3));
+}
+
 // Friction holds the wall back and lets go of it: no more than its share of the wire within, and the wall comes back when the needle is through.
 TEST(Bites, HoldTheWallByFrictionAlone) {
     Stitching scene({.friction = 2});
