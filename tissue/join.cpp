@@ -83,6 +83,17 @@ double leak(std::span<const SewnBite> bites, double diameter, const Fluid& fluid
     return sum;
 }
 
+// Of passes that were taken back after they had gone through the wall.
+double leak_of_passes(const SewnVessel& vessel, const Fluid& fluid) {
+    double sum = 0;
+    for (const Bite& bite : vessel.bites) {
+        if (bite.state == BiteState::open || bite.exit.hole < 0 || bite.partial()) continue;
+        const double hole = std::min(vessel.skin.radius(bite.entry.hole), vessel.skin.radius(bite.exit.hole));
+        sum += leak_of_hole(pi * hole * hole, fluid);
+    }
+    return sum;
+}
+
 }  // namespace
 
 Around around(const SewnEnd& end) {
@@ -107,7 +118,7 @@ Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const st
     for (const SewnEnd& end : ends) join.lumen_ratio = std::min(join.lumen_ratio, lumen_ratio(end.inner, end.vessel.rest, end.nodes(), end.vessel.axis));
     const Lying thread = in_lumen(threads, ends[0], ends[1], diameter);
     join.thread_in_lumen = thread.length, join.deepest_thread = thread.deepest;
-    join.leak_of_line = leak(join.line, join.wall, fluid), join.leak_of_holes = leak(join.bites, diameter, fluid);
+    join.leak_of_line = leak(join.line, join.wall, fluid), join.leak_of_holes = leak(join.bites, diameter, fluid) + leak_of_passes(first, fluid) + leak_of_passes(second, fluid);
     return join;
 }
 

@@ -11,7 +11,6 @@ struct SewnVessel {
     const Skin& skin;                    ///< As it is now, with its holes.
     std::span<const Bite> bites;
     Vec3 axis = Vec3::UnitX();           ///< At rest next to the cut, unit, either way.
-    std::vector<bool> torn{};            ///< Of each hole: to the edge. Missing ones are not.
 };
 
 /// A piece of the suture line, along the outer rim of vessel 0; from there to the inner rim it has a segment across the cut.
@@ -70,9 +69,12 @@ struct Join {
 /// threads. Throws std::invalid_argument for a vessel without a cut across its lumen.
 ///
 /// Leak: slits as wide as the gap along the line, through the wall or as far as ends overlap; at a bite from outside to the lumen a slit round its thread, or an
-/// open hole, where a needle is still in it too; the narrower hole decides. Torn walls leak no more than that, and an everted join that is open at its edge but
+/// open hole, where a needle is still in it or was taken back too; the narrower hole decides. Torn walls leak no more than that, and an everted join that is open at its edge but
 /// closed further in leaks none the less.
 /// Places on two rims are compared by their angles about one axis, at rest: a vessel turned on its axis since counts as stitched aslant.
 Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const std::vector<Vec3>> threads, double diameter, const Fluid& fluid = {});
+
+/// Which of these threads passes both holes of an open bite nearest, as near as what fits through them could be; none: -1.
+int thread_in(const Bite& bite, const Skin& skin, std::span<const std::vector<Vec3>> threads, double diameter);
 
 }  // namespace tissue

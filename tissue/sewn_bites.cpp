@@ -58,23 +58,16 @@ class Measuring {
     void holes(SewnBite& sewn) const {
         const Skin& skin = end_.vessel.skin;
         sewn.hole_radius = std::min(skin.radius(bite_.entry.hole), skin.radius(bite_.exit.hole));
-        for (const int hole : {bite_.entry.hole, bite_.exit.hole}) {
+        for (const int hole : {bite_.entry.hole, bite_.exit.hole})
             sewn.hole = std::max(sewn.hole, 2 * skin.radius(hole) * stretch(rest_, end_.nodes(), skin.face_of_hole(hole)));
-            const auto i = static_cast<std::size_t>(hole);
-            sewn.torn = sewn.torn || (i < end_.vessel.torn.size() && end_.vessel.torn[i]);
-        }
     }
 
-    // The one that passes both holes nearest, as near as what fits through them could be.
     void thread(SewnBite& sewn, std::span<const std::vector<Vec3>> threads, double diameter) const {
-        double best = sewn.hole_radius + diameter;
-        for (std::size_t i = 0; i < threads.size(); ++i) {
-            const OnThread far = place_on(threads[i], now(*far_)), near = place_on(threads[i], now(*near_));
-            const double distance = std::max(far.distance, near.distance);
-            if (threads[i].size() < 2 || distance > best) continue;
-            best = distance;
-            sewn.thread = static_cast<int>(i), sewn.along = 0.5 * (far.along + near.along), sewn.outer_along = far.along;
-        }
+        sewn.thread = thread_in(bite_, end_.vessel.skin, threads, diameter);
+        if (sewn.thread < 0) return;
+        const auto& through = threads[static_cast<std::size_t>(sewn.thread)];
+        sewn.outer_along = place_on(through, now(*far_)).along;
+        sewn.along = 0.5 * (sewn.outer_along + place_on(through, now(*near_)).along);
     }
 
   private:
@@ -90,6 +83,17 @@ class Measuring {
 
 }  // namespace
 
+int thread_in(const Bite& bite, const Skin& skin, std::span<const std::vector<Vec3>> threads, double diameter) {
+    double best = std::min(skin.radius(bite.entry.hole), skin.radius(bite.exit.hole)) + diameter;
+    int found = -1;
+    for (std::size_t i = 0; i < threads.size(); ++i) {
+        if (threads[i].size() < 2) continue;
+        const double distance = std::max(place_on(threads[i], skin.centre(bite.entry.hole)).distance, place_on(threads[i], skin.centre(bite.exit.hole)).distance);
+        if (distance <= best) best = distance, found = static_cast<int>(i);
+    }
+    return found;
+}
+
 double Around::angle(const SewnEnd& end, double place) const {
     const Mesh& rest = end.vessel.rest;
     const Vec3 out = position(end.outer, place, rest.nodes) - middle(end.outer, rest.nodes);
@@ -101,7 +105,7 @@ std::vector<SewnBite> sewn_bites(const SewnEnd& end, int number, const Around& a
     for (std::size_t i = 0; i < end.vessel.bites.size(); ++i) {
         const Bite& bite = end.vessel.bites[i];
         if (bite.state != BiteState::open) continue;
-        SewnBite sewn{.vessel = number, .bite = static_cast<int>(i), .pass = bite.pass, .partial = bite.partial(), .both_walls = bite.both_walls, .depth = bite.depth};
+        SewnBite sewn{.vessel = number, .bite = static_cast<int>(i), .pass = bite.pass, .partial = bite.partial(), .both_walls = bite.both_walls, .depth = bite.depth, .torn = bite.torn};
         const Measuring measuring(end, bite);
         measuring.place(sewn, around);
         measuring.holes(sewn);

@@ -18,6 +18,7 @@ static std::string fault_of(const world::BiteMeasure& bite) {
     if (bite.partial) return "The stitch does not go through the whole wall: it holds less, and leaves an edge in the lumen.";
     if (bite.both_walls) return "The needle took the wall across as well, which shuts the lumen. Keep its tip in sight.";
     if (bite.on_needle) return "The needle is still in the wall: draw it through, and the thread after it.";
+    if (bite.is_empty) return "No thread is in it: it was drawn out of the wall again, or is too short. Keep its tail in sight.";
     if (bite.torn) return "The stitch was torn out to the cut. Pull in the direction of the stitch, and less.";
     return "";
 }
@@ -26,7 +27,7 @@ static std::string why_too_few(const Drill& drill, const world::Measures& measur
     const bool is_missing = static_cast<double>(measures.bites.size()) < drill.bands.bites->low;
     if (is_missing && !measures.slipped.empty())
         return "The needle slipped off the edge of " + measures.slipped + " at " + fixed(measures.slipped_s, 2) + " s: bite farther from it, or hold the edge.";
-    if (measures.bites.empty()) return "No wall was pierced: hold the needle, and follow its curve through each.";
+    if (measures.bites.empty()) return "No wall was pierced: hold the needle, follow its curve through each, and hold a wall that gives way to it.";
     return "Bites are missing, or do not hold: see them one by one.";
 }
 

@@ -32,12 +32,18 @@ static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest, const 
     return size;
 }
 
-static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const std::vector<tissue::Rim>& outer_rims) {
+using Threads = std::span<const std::vector<Vec3>>;
+
+static bool has_thread(const tissue::Bite& bite, const SoftVessel& vessel, Threads threads, double diameter) {
+    return bite.state == tissue::BiteState::open && !bite.on_needle && !bite.torn && tissue::thread_in(bite, vessel.skin, threads, diameter) >= 0;
+}
+
+static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const std::vector<tissue::Rim>& outer_rims, bool has_thread) {
     const tissue::Bite& bite = vessel.bites.bites()[number];
     constexpr double degrees = 180 / 3.14159265358979324;
     const bool through = bite.state == tissue::BiteState::open;
     return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest(), outer_rims),
-            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn, bite.state == tissue::BiteState::empty, bite.on_needle,
+            1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn, bite.state == tissue::BiteState::empty, bite.on_needle, through && !bite.on_needle && !bite.torn && !has_thread,
             number < vessel.bitten_s.size() ? vessel.bitten_s[number] : 0};
 }
 
@@ -46,17 +52,22 @@ void World::judge_sewing() {
     measures_.join = {};
     const auto slip = std::find_if(events_.begin(), events_.end(), [](const Event& event) { return event.kind == "slipped"; });
     if (slip != events_.end()) measures_.slipped = slip->what, measures_.slipped_s = slip->t_s;
+    const auto threads = curves();
     bool sewn = vessels_.size() == 2;
     for (const SoftVessel& vessel : vessels_) {
         const auto outer = tissue::rims(vessel.tissue.rest(), tissue::Side::outer);
         const auto bites = vessel.bites.bites();
-        for (std::size_t i = 0; i < bites.size(); ++i) measures_.bites.push_back(measured(i, vessel, outer));
-        const auto has_thread = [](const tissue::Bite& bite) { return bite.state == tissue::BiteState::open && !bite.on_needle; };
-        sewn = sewn && !outer.empty() && std::any_of(bites.begin(), bites.end(), has_thread);
+        bool holds = false;
+        for (std::size_t i = 0; i < bites.size(); ++i) {
+            const bool sewn_here = has_thread(bites[i], vessel, threads, def_.thread.diameter);
+            measures_.bites.push_back(measured(i, vessel, outer, sewn_here));
+            holds = holds || sewn_here;
+        }
+        sewn = sewn && !outer.empty() && holds;
     }
     if (!sewn) return;
     const auto of = [&](const SoftVessel& vessel) { return tissue::SewnVessel{vessel.tissue.rest(), vessel.skin, vessel.bites.bites(), vessel.bites.def().axis}; };
-    const tissue::Join join = tissue::judge(of(vessels_[0]), of(vessels_[1]), curves(), def_.thread.diameter);
+    const tissue::Join join = tissue::judge(of(vessels_[0]), of(vessels_[1]), threads, def_.thread.diameter);
     for (const tissue::LinePiece& piece : join.line) measures_.join.gap_mm = std::max(measures_.join.gap_mm, 1e3 * piece.gap);
     measures_.join.lumen_ratio = join.lumen_ratio;
     measures_.join.leak_ml_min = tissue::in_ml_per_min(join.leak());

@@ -21,6 +21,7 @@ struct BiteMeasure {
     double depth_mm = 0, to_wall_deg = 0;      ///< Of the wire, at the deepest; between needle and wall where it was first touched.
     bool partial = false, both_walls = false, torn = false, withdrawn = false;
     bool on_needle = false;                    ///< Not drawn through yet: no thread lies in it.
+    bool is_empty = false;                     ///< Its thread was drawn out of it.
     double at_s = 0;                           ///< When the needle was through, or last did anything to it.
 };
 

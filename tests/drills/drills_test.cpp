@@ -197,6 +197,22 @@ TEST(Drills, ABiteThatIsNotTakenIsNotPassed) {
     EXPECT_EQ(played.result["passed"], false);
 }
 
+// Ten millimetres of thread are drawn through both walls and out of them again.
+TEST(Drills, ABiteWhoseThreadIsDrawnOutHoldsNothing) {
+    if (sanitized) GTEST_SKIP() << "they see single-bite's needle";
+    auto drill = nlohmann::json::parse(std::ifstream(CARREL_SOURCE "/scenarios/drills/single-bite.json"));
+    drill["thread"]["length_mm"] = 10;
+    drill["thread"].erase("links");
+    drill.erase("motion");
+    const fs::path file = scratch("short") / "short.json", out = scratch("short") / "result.json";
+    std::ofstream(file) << drill;
+    EXPECT_EQ(run("run " + file.string() + " --input " CARREL_SOURCE "/scenarios/drills/single-bite.csv --json > " + out.string()), 0);
+    const Played played{0, nlohmann::json::parse(std::ifstream(out), nullptr, false)};
+    EXPECT_EQ(events_of(played)["drawn"], 2);
+    EXPECT_EQ(value_of(played, "bites"), "0");
+    EXPECT_EQ(played.result["passed"], false);
+}
+
 // A free edge gives way to the needle, which goes over it: held by nothing it is missed, and the resident learns where and what to do.
 TEST(Drills, AMissedBiteSaysWhereTheNeedleSlipped) {
     const Played played = play("single-bite", "--input " + motion_until("single-bite", 5, "left").string());

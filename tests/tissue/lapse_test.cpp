@@ -116,7 +116,7 @@ TEST(Lapses, Tear) {
 
     Operation torn;
     torn.stitches();
-    torn.torn[1] = {false, false, true};
+    torn.bites[1][1].torn = true;
     EXPECT_EQ(committed(torn.judge()), "tear");
     EXPECT_EQ(lapses(torn.judge())[6].value, 1);
 }

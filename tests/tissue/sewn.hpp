@@ -32,7 +32,6 @@ struct Operation {
     std::array<Mesh, 2> rest{turned_about(make_tube(def)), make_tube(def)};
     std::array<Skin, 2> skin{Skin(rest[0]), Skin(rest[1])};
     std::array<std::vector<Bite>, 2> bites;
-    std::array<std::vector<bool>, 2> torn;
     struct Waypoint {
         int vessel, hole;              // no hole: -1
         Vec3 at = Vec3::Zero();
@@ -97,7 +96,7 @@ struct Operation {
         }
         return all;
     }
-    SewnVessel vessel(std::size_t v) const { return {rest[v], skin[v], bites[v], Vec3::UnitX(), torn[v]}; }
+    SewnVessel vessel(std::size_t v) const { return {rest[v], skin[v], bites[v], Vec3::UnitX()}; }
     Join judge() const { return tissue::judge(vessel(0), vessel(1), threads(), diameter); }
 };
 
