@@ -85,6 +85,13 @@ void expect_output(const std::filesystem::path& dir, std::initializer_list<std::
     for (const char* name : {"result.json", "report.html", "end.png", "end-close.png"}) expect_writable("--out", dir / name, read);
 }
 
+static std::string frame_name(std::size_t i) {
+    char name[40];
+    std::snprintf(name, sizeof name, "frame-%04zu.png", i + 1);
+    return name;
+}
+
+// What an earlier run left and this one does not draw would be taken for its own.
 void write_output(const std::filesystem::path& dir, const Session& session, const scenarios::drill::Result& result,
                   const std::vector<Snapshot>& frames) {
     write_file(dir / "result.json", report::result_json(result));
@@ -95,11 +102,9 @@ void write_output(const std::filesystem::path& dir, const Session& session, cons
     const std::size_t close = session.key_moments().back().close_up ? 1 : 0;  // what is seen from near follows the field
     write_png(dir / "end.png", moments[moments.size() - 1 - close].png);
     if (close) write_png(dir / "end-close.png", moments.back().png);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        char name[40];
-        std::snprintf(name, sizeof name, "frame-%04zu.png", i + 1);
-        write_png(dir / name, picture_of(session, frames[i]));
-    }
+    else std::filesystem::remove(dir / "end-close.png");
+    for (std::size_t i = 0; i < frames.size(); ++i) write_png(dir / frame_name(i), picture_of(session, frames[i]));
+    for (std::size_t i = frames.size(); std::filesystem::remove(dir / frame_name(i)); ++i) {}
 }
 
 std::string score_table(const scenarios::drill::Result& result) {

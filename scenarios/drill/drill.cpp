@@ -58,6 +58,7 @@ class Reader {
         drill_.bands = read_bands(document_, filled_["bands"], drill_.world);
         if (drill_.bands.time_s && drill_.bands.time_s->low > drill_.time_limit_s)
             document_.fail("/bands/time_s", "the drill ends before, at time_limit_s, which is " + shown(drill_.time_limit_s) + " s");
+        check_cuts();
         drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
         return drill_;
     }
@@ -114,6 +115,15 @@ class Reader {
             if (world.instruments[i].kind == instruments::Kind::approximator &&
                 std::none_of(world.vessels.begin(), world.vessels.end(), [&](const auto& vessel) { return vessel.held_by == static_cast<int>(i); }))
                 document_.fail("/instruments/" + std::to_string(i), "holds no vessel, expected \"held_by\": \"" + world.instruments[i].name + "\" in one");
+    }
+
+    void check_cuts() const {
+        const Bands& bands = drill_.bands;
+        if (!bands.bite_mm && !bands.gap_mm && !bands.lumen && !bands.leak_mL_min && !bands.lapses) return;
+        const auto& vessels = drill_.world.vessels;
+        for (std::size_t i = 0; i < vessels.size(); ++i)
+            if (vessels[i].is_soft && vessels[i].start_held && vessels[i].end_held)
+                document_.fail("/vessels/" + std::to_string(i), "both ends are held, so that there is no cut to measure bites and join from, expected one end in \"held\"");
     }
 
     void read_vessels() {

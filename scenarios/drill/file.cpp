@@ -31,6 +31,12 @@ std::string read_text(const std::filesystem::path& file, std::size_t most_bytes)
     return text;
 }
 
+std::string without_mark(std::string text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.starts_with(mark)) text.erase(0, mark.size());
+    return text;
+}
+
 std::string sha256(const std::string& bytes) {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int size = 0;

@@ -83,7 +83,7 @@ Shape needle() {
                  "start hold it.", keys);
 }
 
-Shape start() { return list("Path of the thread at the start, at least length_mm long; what is longer is cut off.", 2, 2000, point("A corner of the path.")); }
+Shape start() { return list("Path of the thread at the start, at least length_mm long; what is longer is cut off. An elastic one keeps its bends: a sharp one behind a needle catches in walls.", 2, 2000, point("A corner of the path.")); }
 
 Shape spares() {
     const Shape spare = group("Such a thread.", {{"needle", group("Where its needle is.", place_of_needle()), true}, {"start_mm", start(), true}});
@@ -191,7 +191,7 @@ Shape goal() {
 Shape bands() {
     return group(
         "Bands of scored items. An item without a band is shown, not judged.",
-        {{"time_s", band("Duration.", 7200, "s"), false},
+        {{"time_s", band("Duration, with the half second that tools rest in after a motion.", 7200, "s"), false},
          {"path_mm", per_instrument("Path of the tip.", band("", 1e6, "mm")), false, json::object()},
          {"grasps", per_instrument("Times the thread was grasped.", band_of_counts("", 10000)), false, json::object()},
          {"tension_N", band("Largest tension of the thread.", 200, "N"), false},
@@ -224,7 +224,7 @@ const Shape& drill_shape() {
                {"effects", effects(), false, json::object()},
                {"goals", list("At most one in this version.", 0, 1, goal()), false, json::array()},
                {"bands", bands(), false, json::object()},
-               {"time_limit_s", quantity("The drill ends then.", 0.1, 7200, "s"), true},
+               {"time_limit_s", quantity("The drill ends then, and its time is missed.", 0.1, 7200, "s"), true},
                {"motion", words("Motion file (.csv) that plays the drill, path from the drill file.")}});
     return shape;
 }

@@ -124,7 +124,7 @@ Motion parse_motion(const std::string& text, const std::string& name, std::span<
 }
 
 Motion load_motion(const std::filesystem::path& file, std::span<const std::string> instruments) {
-    return parse_motion(read_text(file, most_bytes), file.string(), instruments);
+    return parse_motion(without_mark(read_text(file, most_bytes)), file.string(), instruments);
 }
 
 std::string motion_text(const Motion& motion, std::span<const std::string> instruments) {

@@ -243,6 +243,15 @@ void score_lag(const Drill& drill, const world::Measures& measures, std::vector<
     }
 }
 
+// What ends by itself ends before its limit.
+void score_time(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    ScoreItem item = judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
+                             "The drill took longer than allowed.", "The drill was over sooner than asked."},
+                            drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s});
+    if (measures.duration_s > drill.time_limit_s - 0.5 * drill.world.tick_s) item.passed = false, item.why = "The time limit ended the drill.";
+    items.push_back(item);
+}
+
 }  // namespace
 
 std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures) {
@@ -264,9 +273,7 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
     score_needle(drill, measures, items);
     score_bites(drill, measures, items);
     score_join(drill, measures, items);
-    items.push_back(judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
-                            "The drill took longer than allowed.", "The drill was over sooner than asked."},
-                           drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s}));
+    score_time(drill, measures, items);
     score_tools(drill, measures, items);
     const std::string too_hard = measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught." :
         "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop when the throw is flat, or the edges meet.";

@@ -28,6 +28,7 @@ struct Tool {
     Vec3 pointing = Vec3::UnitZ(), opening = Vec3::UnitX();
     double jaw = 1;
     std::vector<MotionKey> keys;
+    int line = 0;  // that turned it before `start` placed it
 };
 
 // Where places and directions are seen from.
@@ -184,12 +185,14 @@ class Reader {
 
     Tool& tool() { return tool_named(word("a tool's name")); }
 
-    Tool& tool_named(const std::string& name) {
+    Tool& tool_named(const std::string& name) { return tool_named(name, line_); }
+
+    Tool& tool_named(const std::string& name, int line) {
         for (Tool& known : tools_)
             if (known.name == name) return known;
         std::string names;
         for (const Tool& known : tools_) names += (names.empty() ? "" : ", ") + known.name;
-        complain("no tool is called \"" + name + "\", expected one of: " + names);
+        complain_at(line, "no tool is called \"" + name + "\", expected one of: " + names);
     }
 
     void step() {
@@ -239,7 +242,7 @@ class Reader {
         const Vec3 opening = view_.frame * vector("opening");
         if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || !has_direction(pointing) || !has_direction(opening))
             complain("pointing and opening of " + name + " must be two different directions");
-        if (tools_.empty()) return turned_.push_back({name, Vec3::Zero(), pointing, opening, 1, {}});
+        if (tools_.empty()) return turned_.push_back({name, Vec3::Zero(), pointing, opening, 1, {}, line_});
         Tool& known = tool_named(name);
         known.pointing = pointing, known.opening = opening;
     }
@@ -261,6 +264,7 @@ class Reader {
             tools_.push_back(placed);
         }
         if (tools_.empty()) complain("`start` names no tool");
+        for (const Tool& known : turned_) tool_named(known.name, known.line);
         key();
     }
 
@@ -335,7 +339,7 @@ Waypoints parse_waypoints(const std::string& text, const std::string& name) {
 
 Waypoints load_waypoints(const std::filesystem::path& file) {
     constexpr std::size_t most_bytes = 1 << 20;  // ten thousand steps
-    return parse_waypoints(read_text(file, most_bytes), file.string());
+    return parse_waypoints(without_mark(read_text(file, most_bytes)), file.string());
 }
 
 }  // namespace scenarios::drill

@@ -34,7 +34,7 @@ class Loader {
         each("asset", "SELECT name, sha256 FROM asset", [&](Statement& row) {
             recording_.head.assets.push_back({row.text(0), row.text(1)});
         });
-        std::int64_t ticks_at_finish = -1;
+        std::optional<std::int64_t> ticks_at_finish;
         each("finished", "SELECT ticks FROM finished", [&](Statement& row) { ticks_at_finish = row.integer(0); });
         each("chunk", "SELECT first_tick, ticks, inputs FROM chunk ORDER BY first_tick",
              [&](Statement& row) { add_chunk(row); });
@@ -47,10 +47,10 @@ class Loader {
                  recording_.scores.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
                                               row.integer(5) != 0, row.real(6), row.text(7)});
              });
-        recording_.finished = ticks_at_finish >= 0;
-        if (recording_.finished && !gap_ && static_cast<std::uint64_t>(ticks_at_finish) != recording_.ticks())
+        recording_.finished = ticks_at_finish.has_value();
+        if (ticks_at_finish && !gap_ && *ticks_at_finish != static_cast<std::int64_t>(recording_.ticks()))
             recording_.damage.push_back("inputs end at tick " + std::to_string(recording_.ticks()) + " of " +
-                                        std::to_string(ticks_at_finish));
+                                        std::to_string(*ticks_at_finish));
         return std::move(recording_);
     }
 

@@ -50,7 +50,7 @@ void add_motions(std::vector<Case>& all) {
           "1,left" + pose + "0,left" + pose, both + both, both + "1e9,left" + pose, "-1,left" + pose, "0,left" + pose,
           both + "1,left" + pose + "0.5,left" + pose, both + "0,5,left" + pose, "0," + std::string(1000000, 'x') + pose})
         all.push_back({{"run", still::drill, "--input", "FILE"}, header + rows, ".csv"});
-    for (const std::string& other : {std::string("t_s,instrument,x_m,y_m,z_m,qw,qx,qy,qz,jaw\n"), std::string("\xef\xbb\xbf") + header})
+    for (const std::string& other : {std::string("t_s,instrument,x_m,y_m,z_m,qw,qx,qy,qz,jaw\n"), std::string("\xef\xbb\xbf\xef\xbb\xbf") + header})
         all.push_back({{"run", still::drill, "--input", "FILE"}, other + both, ".csv"});
 }
 

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "scenarios/drill/motion.hpp"
+#include "scenarios/drill/waypoints.hpp"
 #include "tests/scenarios/drill/sample.hpp"
 
 // Broken files as people and disks make them. Each is given to the functions and to the program: one line that names
@@ -149,6 +150,14 @@ void check_program(const std::string& command, const std::string& file, const Fo
     EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1) << lines;
     EXPECT_TRUE(lines.ends_with('\n')) << lines;
     EXPECT_NE(lines.find(": error: "), std::string::npos) << lines;
+}
+
+// As spreadsheets and some editors write it.
+TEST(BrokenFiles, AByteOrderMarkBreaksNone) {
+    const Folder folder;
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_NO_THROW(scenarios::drill::load_motion(folder.write("m.csv", mark + header + good_rows), std::vector<std::string>{"left", "right"}));
+    EXPECT_NO_THROW(scenarios::drill::load_waypoints(folder.write("w.waypoints", mark + "start left 0 0 0 jaw 1\n")));
 }
 
 }  // namespace

@@ -197,6 +197,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"length_mm\": 30", "\"length_mm\": 3, \"cut_angle_deg\": 60"), "a.json:10:81: error: /vessels/0/tube/length_mm: too short for a slanted cut, expected above 3.42 mm"},
         {beside_carotid("3.9"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
         {beside_carotid("0.5"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
+        {replaced(sample::sewn("\"gap_mm\": {\"max\": 1}"), ", \"held\": [\"start\"]", ""), "a.json:10:5: error: /vessels/0: both ends are held, so that there is no cut to measure bites and join from, expected one end in \"held\""},
         {needle("[0, 0, 0]", "[0, 0, 1]"), "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
         {spare("60", with("\"friction\": 0.2", "\"links\": 300")),
          "a.json:6:15: error: /thread/spares: they would have needles like the first thread, which has none, expected \"needle\" beside them"},

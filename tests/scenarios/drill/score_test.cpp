@@ -192,6 +192,19 @@ TEST(Score, ItemsFailAlone) {
     }
 }
 
+// Whatever the drill allows: of a motion that the clock cut off nobody knows how long it takes.
+TEST(Score, TheTimeLimitThatEndsADrillIsMissed) {
+    for (const char* bands : {"\"tension_N\": [0.1, 1]", "\"tension_N\": [0.1, 1], \"time_s\": {\"max\": 120}"}) {
+        const std::string text = sample::with("\"tension_N\": [0.1, 1]", bands);
+        world::Measures m = good();
+        m.duration_s = 119.999;
+        EXPECT_TRUE(item("time", m, text).passed);
+        m.duration_s = 120;
+        EXPECT_FALSE(item("time", m, text).passed);
+        EXPECT_EQ(item("time", m, text).why, "The time limit ended the drill.");
+    }
+}
+
 // "Yes" alone leaves an assessor to guess how far beyond the limit it was.
 TEST(Score, ALapseTellsItsNumber) {
     world::Measures m = good();
@@ -210,6 +223,9 @@ TEST(Score, BitesThatHoldAreCounted) {
     EXPECT_TRUE(item("bites", m, text).passed);
     m.bites[1].torn = true;
     EXPECT_FALSE(item("bites", m, text).passed);
+    m.bites[1].torn = false, m.bites[1].is_empty = true;
+    EXPECT_FALSE(item("bites", m, text).passed);
+    EXPECT_TRUE(item("bite_2", m, text).why.starts_with("No thread is in it"));
     m.bites[1] = {"right", "inner", ""};
     EXPECT_EQ(item("bites", m, text).value, "1");
     m.bites[1] = {"right", "inner", "outer"};

@@ -11,24 +11,28 @@ using instruments::ToolInput;
 using sim::geometry::Vec3;
 
 constexpr double mm = 1e-3;
+const std::string one_hand = "tool hand pointing 0 1 0 opening 0 0 1\nstart hand 3 0 5 jaw 0\n";
 
 // Of the one tool, at a time [s].
 ToolInput at(const std::string& steps, double time) {
-    const Waypoints read = parse_waypoints("tool hand pointing 0 1 0 opening 0 0 1\nstart hand 3 0 5 jaw 0\n" + steps, "w");
+    const Waypoints read = parse_waypoints(one_hand + steps, "w");
     ToolInput input;
     read.motion.at(time, {&input, 1});
     return input;
 }
 
-// What is wrong with them, if anything is.
-std::string said(const std::string& steps) {
+// What is wrong with a file, if anything is.
+std::string said_of(const std::string& text) {
     try {
-        at(steps, 0);
+        parse_waypoints(text, "w");
     } catch (const FileError& error) {
         return error.what();
     }
     return "";
 }
+
+// And with what the one tool does.
+std::string said(const std::string& steps) { return said_of(one_hand + steps); }
 
 // A needle goes through one hole only if its holder turns about the needle's own axis, place and attitude alike.
 TEST(Waypoints, ATurnGoesRoundAnAxis) {
@@ -91,6 +95,7 @@ TEST(Waypoints, SaysWhatIsWrongWithNamedSteps) {
 TEST(Waypoints, SaysWhatWouldMoveNothingOrTooFar) {
     EXPECT_EQ(said("go\n"), "w:3: error: `go` moves nothing, expected a tool and its place");
     EXPECT_EQ(said("tool hnd pointing 0 0 1 opening 1 0 0\n").substr(0, 35), "w:3: error: no tool is called \"hnd\"");
+    EXPECT_EQ(said_of("tool hnd pointing 0 0 1 opening 1 0 0\nstart hand 0 0 0 jaw 1\nwait 1\n"), "w:1: error: no tool is called \"hnd\", expected one of: hand");
     EXPECT_EQ(said("frame 900 0 0\ngo hand 900 0 0\n"), "w:4: error: that is 1800 0 0 mm seen from outside all frames, expected -1000 to 1000 each");
     EXPECT_EQ(said("frame 0 0 0 turned 90 about 1e-300 0 0\n"), "w:3: error: the axis has no direction, expected one component other than 0");
 }

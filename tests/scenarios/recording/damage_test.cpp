@@ -82,6 +82,7 @@ TEST(DamagedRecording, KeepsWhatIsReadableAndSaysWhatIsNot) {
     const Wound wounds[] = {
         {"DELETE FROM chunk WHERE first_tick = 1000", 1000, "inputs of ticks 1000 to 1499 are missing"},
         {"DELETE FROM chunk WHERE first_tick = 2500", 2500, "inputs end at tick 2500 of 3000"},
+        {"UPDATE finished SET ticks = -1", 3000, "inputs end at tick 3000 of -1"},
         {"DELETE FROM chunk", 0, "inputs end at tick 0 of 3000"},
         {"UPDATE chunk SET inputs = x'00112233' WHERE first_tick = 500", 500, "inputs from tick 500 on are damaged"},
         {"UPDATE chunk SET inputs = x'' WHERE first_tick = 500", 500, "inputs from tick 500 on are damaged"},
