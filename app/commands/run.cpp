@@ -87,8 +87,7 @@ int run_command(const RunOptions& options) {
     if (!options.out.empty()) expect_output(options.out, {options.drill, motion_file});
     auto recorder = open_recorder(options, drill);
 
-    constexpr double settling_s = 0.5;  // tools at rest after the last key, so that "at rest" can be measured
-    const double length_s = std::min(motion.duration() + settling_s, drill.time_limit_s);
+    const double length_s = std::min(motion.duration() + scenarios::drill::settling_s, drill.time_limit_s);
     const auto frames = play(session, motion, static_cast<std::uint64_t>(std::ceil(length_s / drill.world.tick_s)),
                              options.frames, recorder);
     const auto result = session.finish();

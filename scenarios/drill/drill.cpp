@@ -131,6 +131,7 @@ class Reader {
         for (const json& entry : filled_["vessels"]) {
             const std::string place = "/vessels/" + std::to_string(vessels.size());
             check_new(entry["name"], place + "/name", vessels);
+            check_new(entry["name"], place + "/name", drill_.world.instruments);
             world::VesselDef vessel;
             vessel.name = entry["name"];
             vessel.centre = point(entry["centre_mm"]);

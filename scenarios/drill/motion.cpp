@@ -52,8 +52,9 @@ double Motion::duration() const {
 }
 
 std::string Motion::cut_short_at(double limit_s) const {
-    if (duration() <= limit_s) return "";
-    return "/time_limit_s: " + shown(limit_s) + " s end the drill before its motion, which takes " + shown(std::ceil(1e2 * duration()) / 1e2) + " s";
+    if (duration() + settling_s < limit_s) return "";
+    return "/time_limit_s: " + shown(limit_s) + " s end the drill before its motion, which takes " + shown(std::ceil(1e2 * duration()) / 1e2) + " s and " +
+           shown(settling_s) + " s of rest";
 }
 
 }  // namespace scenarios::drill

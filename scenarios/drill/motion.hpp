@@ -9,6 +9,9 @@
 
 namespace scenarios::drill {
 
+/// How long tools rest after their last key, so that what is at rest can be measured. A drill whose time limit comes before is ended by it.
+constexpr double settling_s = 0.5;
+
 /// Where a tool is at one time.
 struct MotionKey {
     double t_s;
@@ -27,7 +30,7 @@ class Motion {
 
     /// Time of the last key [s].
     double duration() const;
-    /// What is lost of it where a drill ends at this time [s], in a sentence; nothing: "".
+    /// What is lost of it and of the rest after it where a drill ends at this time [s], in a sentence; nothing: "".
     std::string cut_short_at(double limit_s) const;
 
     std::span<const std::vector<MotionKey>> keys() const { return keys_; }

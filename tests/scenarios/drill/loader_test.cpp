@@ -226,6 +226,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {replaced(needle("[0, 0, 1]", "[0, -1, 0]"), "\"tension_N\"", "\"gap_mm\": {\"max\": 1}, \"tension_N\""), "a.json:18:58: error: /bands/gap_mm: a join is of two vessels sewn by a needle, expected both"},
         {with("\"right\"", "\"left\""),
          "a.json:14:14: error: /instruments/1/name: \"left\" is named twice, expected different names"},
+        {with("\"carotid\"", "\"left\""), "a.json:10:14: error: /vessels/0/name: \"left\" is named twice, expected different names"},
         {with("\"wall_mm\": 0.6", "\"wall_mm\": 2"),
          "a.json:10:63: error: /vessels/0/tube/wall_mm: expected less than half of diameter_mm, which is 4 mm"},
         {with("\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}", "\"axis\": [1, 0, 0]"),

@@ -58,8 +58,9 @@ TEST(Motion, PositionAndJawAreLinearAndRotationTurnsAtConstantRate) {
 // Before its first row and after its last a tool waits there; extrapolation would throw it out of the scene.
 TEST(Motion, SaysWhatADrillThatEndsEarlierLoses) {
     const Motion motion({{{0, {}}, {2.505, {}}}, {{1, {}}}});
-    EXPECT_EQ(motion.cut_short_at(2.505), "");
-    EXPECT_EQ(motion.cut_short_at(2), "/time_limit_s: 2 s end the drill before its motion, which takes 2.51 s");
+    EXPECT_EQ(motion.cut_short_at(3.01), "");
+    for (const auto& [limit, shown] : {std::pair(2.0, "2"), {2.51, "2.51"}})
+        EXPECT_EQ(motion.cut_short_at(limit), "/time_limit_s: " + std::string(shown) + " s end the drill before its motion, which takes 2.51 s and 0.5 s of rest");
 }
 
 TEST(Motion, HoldsItsEnds) {
