@@ -75,21 +75,32 @@ void add_tubes(Suite& suite, bool quick) {
         }
 }
 
-// The edge of the cut, pulled along the axis, against what meshes of the drill's fineness and twice that come to if the error falls with the square.
+double mean_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size()); }
+
+// The edge of the cut, pulled along the axis, and how far the bite opens, against what meshes of the drill's fineness and twice that come to if the error falls
+// with the square.
 void add_edge(Suite& suite, bool quick) {
     for (const double force : {0.02, 0.1}) {
-        const std::string id = "edge-" + whole(1000 * force) + "mN", what = "edge of a cut pulled at " + whole(1000 * force) + " mN: ";
-        const tissue::Vec3 shipped = edge_moved(VesselPull(vessel()), force), finer = edge_moved(VesselPull(vessel(quick ? 1.5 : 2)), force);
-        const double ratio = quick ? 2.25 : 4;  // of the squares of cells
-        const tissue::Vec3 reference = (ratio * finer - shipped) / (ratio - 1);
-        const auto error = [&](const tissue::Vec3& moved) { return 100 * (moved - reference).norm() / reference.norm(); };
-        suite.rows.push_back({.id = id + "-way", .what = what + "its way", .value = 1000 * reference.norm(), .unit = "mm", .bound = {}, .error = {}});
+        const std::string id = whole(1000 * force) + "mN", at = " of a cut pulled at " + whole(1000 * force) + " mN: ";
+        const Pulled shipped = pulled(VesselPull(vessel()), force), finer = pulled(VesselPull(vessel(quick ? 1.5 : 2)), force);
+        const auto limit = [&](const auto& coarse, const auto& fine) -> std::decay_t<decltype(coarse)> {
+            const double ratio = quick ? 2.25 : 4;  // of the squares of cells
+            return (ratio * fine - coarse) / (ratio - 1);
+        };
+        const Pulled reference{limit(shipped.edge, finer.edge), limit(shipped.opening, finer.opening)};
+        const auto tell = [&](const std::string& mesh, const std::string& words, const Pulled& found) {
+            const auto add = [&](const std::string& of, double error) { suite.rows.push_back({.id = of + "-" + id + mesh, .what = of + at + words + ", error", .value = 100 * error, .unit = "%", .bound = {}, .error = {}}); };
+            add("edge", (found.edge - reference.edge).norm() / reference.edge.norm());
+            add("bite", std::abs(found.opening / reference.opening - 1));
+        };
+        suite.rows.push_back({.id = "edge-" + id + "-way", .what = "edge" + at + "its way", .value = 1000 * reference.edge.norm(), .unit = "mm", .bound = {}, .error = {}});
+        suite.rows.push_back({.id = "bite-" + id + "-way", .what = "bite" + at + "by how much its 2 mm of wall are longer", .value = 1000 * reference.opening, .unit = "mm", .bound = {}, .error = {}});
         for (const double fine : {0.5, 0.75, 1.5}) {
-            const int around = vessel(fine).around;
-            suite.rows.push_back(row_of(id + "-n" + std::to_string(around), what + std::to_string(around) + " cells around, error", "%", [&] { return error(edge_moved(VesselPull(vessel(fine)), force)); }));
+            const std::string around = std::to_string(vessel(fine).around);
+            tell("-n" + around, around + " cells around", pulled(VesselPull(vessel(fine)), force));
         }
-        suite.rows.push_back({.id = id + "-n16", .what = what + "16 cells around as shipped, error", .value = error(shipped), .unit = "%", .bound = {}, .error = {}});
-        suite.rows.push_back(row_of(id + "-n16-locks", what + "16 cells around, volume kept by each tetrahedron, error", "%", [&] { return error(edge_moved(VesselPull(vessel(), true), force)); }));
+        tell("-n16", "16 cells around as shipped", shipped);
+        tell("-n16-locks", "16 cells around, volume kept by each tetrahedron", pulled(VesselPull(vessel(), true), force));
     }
 }
 
@@ -99,20 +110,17 @@ void add_far(Suite& suite) {
     full.far = static_cast<int>(std::lround((full.length - full.near_length) / full.near_length * full.near));
     const VesselPull pull(full);
     for (const double force : {0.005, 0.02, 0.1}) {
-        const tissue::Vec3 reference = edge_moved(pull, force);
+        const tissue::Vec3 reference = pulled(pull, force).edge;
         for (const int far : {2, 3, 4, 6}) {
             tissue::TubeDef def = vessel();
             const bool shipped = def.far == far;
             def.far = far;
             suite.rows.push_back(row_of("far" + std::to_string(far) + "-" + whole(1000 * force) + "mN",
                 std::to_string(far) + " long cells for " + std::to_string(full.far) + " short ones far from the cut: edge pulled at " + whole(1000 * force) + " mN, error", "%",
-                [&] { return 100 * (edge_moved(VesselPull(def), force) - reference).norm() / reference.norm(); }, shipped && force >= 0.02 ? std::optional(2.0) : std::nullopt));
+                [&] { return 100 * (pulled(VesselPull(def), force).edge - reference).norm() / reference.norm(); }, shipped && force >= 0.02 ? std::optional(2.0) : std::nullopt));
         }
     }
-    const auto mean = [](const VesselPull& of) {
-        const Played played = play(of, {}, 0.03, 2e-3);
-        return std::accumulate(played.us.begin(), played.us.end(), 0.0) / static_cast<double>(played.us.size());
-    };
+    const auto mean = [](const VesselPull& of) { return mean_of(play(of, {}, 0.03, 2e-3).us); };
     suite.rows.push_back({.id = "far4-saves", .what = "mean step with 4 long cells for 8 short ones, over one with those", .value = mean(VesselPull(vessel())) / mean(pull), .unit = "ratio", .bound = {}, .error = {}});
 }
 
@@ -129,18 +137,16 @@ void add_steps(Suite& suite, double finer, double force, const Stepping& steppin
                              (stepping.iterations == 1 ? " move, " : " moves, ") + (stepping.steps_per_factor ? "factored in " + std::to_string(stepping.steps_per_factor) + " steps: " : "factored for each: ");
     const Played found = play(VesselPull(vessel(finer)), {.iterations = stepping.iterations, .steps_per_factor = stepping.steps_per_factor}, force, stepping.seconds);
     const Lag off = apart(found, exact);
-    const double mean = std::accumulate(found.us.begin(), found.us.end(), 0.0) / static_cast<double>(found.us.size());
-    const double exact_mean = std::accumulate(exact.us.begin(), exact.us.end(), 0.0) / static_cast<double>(exact.us.size());
     const auto add = [&](const char* name, const char* of, double value, const char* unit, std::optional<double> bound = {}) {
         suite.rows.push_back({.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = bounded ? bound : std::nullopt, .error = {}});
     };
     add("-off", "edge off at most, of its way", 100 * off.most, "%");
     add("-off-rms", "edge off, root mean square", 100 * off.mean, "%");
-    add("-mean", "mean step", mean, "us", 300);
+    add("-mean", "mean step", mean_of(found.us), "us", 300);
     add("-p50", "median step", percentile(found.us, 0.5), "us");
     add("-p99", "99 of 100 steps", percentile(found.us, 0.99), "us", 500);
     add("-worst", "slowest step after the first", percentile(found.us, 1), "us");
-    add("-over-newton", "mean step over one of Newton's method until it converges", mean / exact_mean, "ratio");
+    add("-over-newton", "mean step over one of Newton's method until it converges", mean_of(found.us) / mean_of(exact.us), "ratio");
 }
 
 // Threshold of the skin against a finger in the lumen, where the wall cannot give way at large; and D24, the wall free, driven all through.
@@ -191,6 +197,7 @@ void add_speed(Suite& suite, bool quick) {
             }
         }
     if (quick) return;
+    suite.rows.push_back(row_of("pull-n32-30mN-step2-moves1-factor8-mean", "a second of pulling at 30 mN, 32 cells around, steps of 2 ms, 1 move, factored in 8 steps: mean step", "us", [&] { return mean_of(play(VesselPull(vessel(2)), shipped, 0.03, shipped_step).us); }));
     for (const double finer : {0.5, 0.75, 1.5})
         add_steps(suite, finer, 0.03, {shipped_step, shipped.iterations, shipped.steps_per_factor}, play(VesselPull(vessel(finer)), newton, 0.03, shipped_step), false);
 }

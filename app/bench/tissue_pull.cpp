@@ -34,6 +34,7 @@ TubeDef vessel(double finer) {
 
 VesselPull::VesselPull(const TubeDef& def, bool locks) : mesh(make_tube(def)), edge(def.through) {
     const int nodes = static_cast<int>(mesh.nodes.size()), section = def.around * (def.through + 1);
+    behind = edge + section * static_cast<int>(std::lround(2 * reach / def.near_length * def.near));
     for (int i = nodes - section; i < nodes; ++i) holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
     double sum = 0;
     for (int t = 0; t < static_cast<int>(mesh.tetrahedra.size()); ++t) {
@@ -63,12 +64,13 @@ Vec3 VesselPull::pull_at(double seconds) {
     return (share(0) - share(turns)) * along + (share(turns) - share(lets_go)) * aside;
 }
 
-Vec3 edge_moved(const VesselPull& pull, double force) {
+Pulled pulled(const VesselPull& pull, double force) {
     Tissue tissue({}, pull.mesh, {.iterations = 50, .steps_per_factor = 0, .tolerance = 1e-7 * force});
     constexpr int steps = 10;
     for (int s = 1; s <= steps; ++s) tissue.step({.holds = pull.holds, .forces = pull.forces(s * force / steps * VesselPull::pull_at(0.2))}, std::numeric_limits<double>::infinity());
-    const auto at = static_cast<std::size_t>(pull.edge);
-    return tissue.nodes()[at] - pull.mesh.nodes[at];
+    const auto edge = static_cast<std::size_t>(pull.edge), behind = static_cast<std::size_t>(pull.behind);
+    const auto nodes = tissue.nodes();
+    return {nodes[edge] - pull.mesh.nodes[edge], (nodes[edge] - nodes[behind]).norm() - (pull.mesh.nodes[edge] - pull.mesh.nodes[behind]).norm()};
 }
 
 Played play(const VesselPull& pull, const tissue::Solver& solver, double force, double seconds) {

@@ -15,7 +15,8 @@ struct VesselPull {
 
     tissue::Mesh mesh;
     std::vector<tissue::Hold> holds;
-    int edge;                          ///< The node of the cut's outer edge next to the bite.
+    int edge;                          ///< The node of the cut's outer edge next to the bite,
+    int behind;                        ///< and that straight behind it, where the bite ends.
     std::vector<tissue::MaterialPoint> points;
     std::vector<double> shares;
 };
@@ -23,8 +24,12 @@ struct VesselPull {
 /// The vessel of a drill, `finer` times as fine; 0.5: half as fine.
 tissue::TubeDef vessel(double finer = 1);
 
-/// How far the edge goes in the end under this pull along the axis [m].
-tissue::Vec3 edge_moved(const VesselPull& pull, double force);
+/// What this pull along the axis [N] comes to in the end.
+struct Pulled {
+    tissue::Vec3 edge;                 ///< How far the edge goes [m].
+    double opening;                    ///< By how much the outer wall between edge and bite's end is longer [m].
+};
+Pulled pulled(const VesselPull& pull, double force);
 
 /// A second of the pull, step by step.
 struct Played {

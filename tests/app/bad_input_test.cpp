@@ -261,6 +261,8 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {notes, {"bench", "speed", "--quick", "--plot", notes}},
              {"/nowhere/x.svg", {"bench", "speed", "--quick", "--plot", "/nowhere/x.svg"}},
              {notes, {"bench", "speed-vs-error", "--quick", "--plot", notes}},
+             {notes, {"bench", "tissue", "--quick", "--plot", notes}},
+             {notes + ".svg", {"bench", "accuracy", "--quick", "--plot", notes + ".svg"}},
              {drill, {"run", drill, "--input", motion, "--out", folder.path("")}},
              {recording, {"replay", recording, "--out", other.path("")}}}) {
         SCOPED_TRACE(testing::PrintToString(call));

@@ -9,6 +9,7 @@
 #include "app/bench/print.hpp"
 #include "app/bench/shape.hpp"
 #include "app/bench/speed.hpp"
+#include "app/bench/tissue.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/knot/namer.hpp"
 #include "tests/program.hpp"
@@ -117,6 +118,22 @@ TEST(Bench, WhatIsNoPlaceHasNoFigures) {
     const Gauge gauge(std::vector<double>(100, 0.01), 0.01);
     EXPECT_TRUE(std::isnan(gauge.stretch(nodes)));
     EXPECT_TRUE(std::isnan(gauge.gap(nodes)));
+}
+
+// A point needs its error and its cost; what the quick suite does not measure is left out.
+TEST(Bench, ThePictureOfTissueShowsErrorsOverCosts) {
+    const std::string step = "pull-n16-30mN-step2-moves1-factor8";
+    Suite suite{"tissue", {row(step + "-off", 1.5), row("pressure-axial100-n16-growth", 4), row("edge-100mN-n16", 5), row("bite-100mN-n16", 6)}};
+    const auto points = [&] {
+        const std::string drawn = app::bench::tissue_picture(suite);
+        int count = 0;
+        for (auto at = drawn.find("<circle"); at != std::string::npos; at = drawn.find("<circle", at + 1)) ++count;
+        return count;
+    };
+    EXPECT_EQ(points(), 0) << "costs are not known";
+    suite.rows.push_back(row(step + "-mean", 300));
+    EXPECT_EQ(points(), 4);
+    EXPECT_NE(app::bench::tissue_picture(suite).find(">8</text>"), std::string::npos) << "factored in 8 steps";
 }
 
 TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {

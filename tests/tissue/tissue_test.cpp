@@ -73,7 +73,7 @@ TEST(Material, FillsTubesOfThinCellsAndOfAnySize) {
 TEST(Material, DoesNotLock) {
     using app::bench::VesselPull;
     constexpr double force = 0.02;
-    const auto moved = [&](double finer, bool locks) { return app::bench::edge_moved(VesselPull(app::bench::vessel(finer), locks), force); };
+    const auto moved = [&](double finer, bool locks) { return app::bench::pulled(VesselPull(app::bench::vessel(finer), locks), force).edge; };
     const Vec3 finer = moved(1.5, false);
     EXPECT_LE((moved(1, false) - finer).norm(), 0.05 * finer.norm());
     EXPECT_GE((moved(1, true) - finer).norm(), 0.15 * finer.norm());
