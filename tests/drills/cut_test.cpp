@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace {
+namespace cutting {
 
 namespace fs = std::filesystem;
 
@@ -46,8 +46,6 @@ constexpr const char* motion = R"(t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw
 
 int run(const std::string& arguments) { return WEXITSTATUS(std::system((std::string(CARREL_PROGRAM) + " " + arguments).c_str())); }
 
-}  // namespace
-
 // What a session broke and cut its replay must break and cut, at the same tick and place.
 TEST(Drills, ABrokenAndCutThreadIsReplayedToTheSameBits) {
     for (const std::string model : {"ftl", "elastic"}) {
@@ -69,3 +67,5 @@ TEST(Drills, ABrokenAndCutThreadIsReplayedToTheSameBits) {
         EXPECT_EQ(run("replay --verify " + (dir / "session.carrel").string() + " 2> /dev/null"), 0);
     }
 }
+
+}  // namespace cutting

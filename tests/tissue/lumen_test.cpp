@@ -7,7 +7,7 @@
 
 #include "tissue/tube.hpp"
 
-namespace {
+namespace lumen_areas {
 
 using namespace tissue;
 
@@ -76,4 +76,4 @@ TEST(Lumen, KnowsWhatIsInIt) {
     EXPECT_EQ(depth_in_lumen({-2 * mm, 0, 0}, skin, skin, 3 * mm), 0);  // well off an open end
 }
 
-}  // namespace
+}  // namespace lumen_areas

@@ -8,7 +8,7 @@
 #include "tissue/tube.hpp"
 #include "tissue/wall.hpp"
 
-namespace {
+namespace rim_shapes {
 
 using namespace tissue;
 
@@ -75,4 +75,4 @@ TEST(Rim, FindsEveryCut) {
     EXPECT_TRUE(rims(make_box({2, 2, 2}, 1e-3), Side::outer).empty());
 }
 
-}  // namespace
+}  // namespace rim_shapes

@@ -3,7 +3,7 @@
 #include "tissue/tissue.hpp"
 #include "tissue/tube.hpp"
 
-namespace {
+namespace stiff_forces {
 
 using namespace tissue;
 
@@ -93,4 +93,4 @@ TEST(StiffForce, HoldsBackOneWayAlone) {
     EXPECT_NEAR(stiff.z(), free.z(), 0.2 * std::abs(free.z()));
 }
 
-}  // namespace
+}  // namespace stiff_forces

@@ -11,7 +11,7 @@
 #include "assets/mesh.hpp"
 #include "tissue/tissue.hpp"
 
-namespace {
+namespace walls {
 
 using namespace tissue;
 
@@ -200,4 +200,4 @@ TEST(Wall, SaysWhatIsWrongWithNumbers) {
     EXPECT_EQ(problem({{0, 1, 2}}, 3, {.thickness = 0}), "a wall must be thicker than 0 and have at least one cell through it");
 }
 
-}  // namespace
+}  // namespace walls

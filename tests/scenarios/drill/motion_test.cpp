@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
+namespace motions {
+
 using namespace scenarios::drill;
 using instruments::ToolInput;
-
-namespace {
 
 const std::string header = "t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw\n";
 const std::vector<std::string> both = {"left", "right"};
@@ -37,8 +37,6 @@ const std::string quarter_turn =
     "1,left,0,0,0,1,0,0,0,1\n"
     "0,right,5,6,7,1,0,0,0,0.5\n"
     "3,left,10,20,40,0.7071067811865476,0,0,0.7071067811865476,0\n";
-
-}  // namespace
 
 // Tools move on straight lines and turn at constant rate; a wrong blend ties another knot than the author drew.
 TEST(Motion, PositionAndJawAreLinearAndRotationTurnsAtConstantRate) {
@@ -128,3 +126,5 @@ TEST(Motion, SaysWhatIsWrongWordForWord) {
     };
     for (const auto& [text, expected] : cases) EXPECT_EQ(message(text), expected);
 }
+
+}  // namespace motions

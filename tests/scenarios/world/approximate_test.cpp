@@ -3,7 +3,7 @@
 
 #include "scenarios/world/world.hpp"
 
-namespace {
+namespace approximating {
 
 using instruments::Kind;
 using instruments::ToolInput;
@@ -73,4 +73,4 @@ TEST(Approximator, CarriesAndTurnsWhatItHolds) {
     EXPECT_LT((clamped(world, 0) - (place + Vec3(0, 0, mm) + over * (left - place))).norm(), 1e-9 * mm);
 }
 
-}  // namespace
+}  // namespace approximating

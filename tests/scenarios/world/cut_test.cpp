@@ -7,7 +7,7 @@
 #include "scenarios/world/world.hpp"
 #include "sim/thread/thread.hpp"
 
-namespace {
+namespace cutting {
 
 using instruments::Kind;
 using instruments::ToolInput;
@@ -103,7 +103,6 @@ Scene scene_that_breaks_at_1_N(const char* model) {
     return scene;
 }
 
-}  // namespace
 
 // A pull past what the thread bears: it parts in one place, at that pull and not before, and nothing pulls or whips after it. By geometry
 // alone a pull is an estimate, and must stand for a tenth of a second.
@@ -309,3 +308,5 @@ TEST(Scissors, TheSameBitsAgain) {
         EXPECT_EQ(played(), played()) << model;
     }
 }
+
+}  // namespace cutting

@@ -5,7 +5,7 @@
 
 #include "scenarios/world/world.hpp"
 
-namespace {
+namespace grasping {
 
 using instruments::ToolInput;
 using scenarios::world::World;
@@ -301,4 +301,4 @@ TEST(Grasp, AToolThatPullsByFeelPullsNoHarderAndGivesWay) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
-}  // namespace
+}  // namespace grasping

@@ -7,7 +7,7 @@
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/thread.hpp"
 
-namespace {
+namespace moving_wall {
 
 using scenarios::world::MovingWall;
 using scenarios::world::Triangle;
@@ -152,4 +152,4 @@ TEST(MovingWall, StaysWhereItIsShownWhenItIsRenewed) {
 
 INSTANTIATE_TEST_SUITE_P(Models, MovingWallTest, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
 
-}  // namespace
+}  // namespace moving_wall

@@ -3,7 +3,7 @@
 
 #include "scenarios/world/world.hpp"
 
-namespace {
+namespace needles {
 
 using instruments::ToolInput;
 using scenarios::world::World;
@@ -235,4 +235,4 @@ TEST(Needle, ASpareLeadsItsOwnThread) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
-}  // namespace
+}  // namespace needles

@@ -6,7 +6,7 @@
 
 #include "scenarios/world/world.hpp"
 
-namespace {
+namespace passing {
 
 using instruments::ToolInput;
 using scenarios::world::World;
@@ -159,4 +159,4 @@ TEST_P(Passes, TwentyGoThroughOneRing) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Passes, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
 
-}  // namespace
+}  // namespace passing

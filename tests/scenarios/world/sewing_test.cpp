@@ -4,7 +4,7 @@
 #include "scenarios/world/world.hpp"
 #include "sim/geometry/closest_points.hpp"
 
-namespace {
+namespace sewing {
 
 using instruments::ToolInput;
 using scenarios::world::World;
@@ -165,4 +165,4 @@ INSTANTIATE_TEST_SUITE_P(Models, SewingTest, testing::Values(Case{"ftl", "ftl", 
                                                                       Case{"elastic_spare", "elastic", 130, true}),
     [](const auto& of) { return std::string(of.param.name); });
 
-}  // namespace
+}  // namespace sewing

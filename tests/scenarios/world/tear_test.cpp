@@ -5,7 +5,7 @@
 
 #include "scenarios/world/world.hpp"
 
-namespace {
+namespace tearing {
 
 using instruments::ToolInput;
 using scenarios::world::World;
@@ -224,4 +224,4 @@ TEST(Tearing, DoesNotBelieveAnEstimateAtOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Tear, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
 
-}  // namespace
+}  // namespace tearing

@@ -3,7 +3,7 @@
 
 #include "scenarios/world/world.hpp"
 
-namespace {
+namespace wall_gripping {
 
 using instruments::ToolInput;
 using scenarios::world::World;
@@ -46,4 +46,4 @@ TEST(WallGrip, HoldsBothWallsOfAVesselPinchedFlat) {
     for (const auto& grip : world.tools()[0].walls) EXPECT_LT(std::abs(wall.position(grip.at).z()), scene.def.vessels[0].wall);
 }
 
-}  // namespace
+}  // namespace wall_gripping

@@ -6,7 +6,7 @@
 #include "sim/geometry/closest_points.hpp"
 #include "tests/sim/thread/scene.hpp"
 
-namespace {
+namespace cutting {
 
 using namespace scene;
 using sim::thread::Piece;
@@ -74,8 +74,6 @@ void expect_sound(const Hands& hands, const Thread& thread) {
     EXPECT_EQ(hands.worst.pass_throughs, 0);
     EXPECT_LE(hands.worst.step_over_bound, 1 + 1e-12);  // rounding of a norm
 }
-
-}  // namespace
 
 // Wherever a blade comes down, by links longer and shorter than the thread is thick: each piece ends half a thickness from it, to
 // within what is too short to be a link, and lies where it lay.
@@ -337,3 +335,5 @@ TEST(Cut, WhatWasTautIsSlack) {
         RecordProperty("fastest", std::to_string(fastest));
     }
 }
+
+}  // namespace cutting

@@ -12,9 +12,9 @@
 #include "sim/knot/namer.hpp"
 #include "sim/thread/thread.hpp"
 
-using namespace sim::thread;
+namespace elastic_thread {
 
-namespace {
+using namespace sim::thread;
 
 constexpr double radius = ThreadDef{}.radius, thickness = 2 * radius, tick = 1e-3;
 
@@ -46,8 +46,6 @@ std::vector<Vec3> loose_overhand(double scale = 1, double mirror = 1) {
     for (Vec3& p : nodes) p = scale * Vec3(p.x(), p.y(), mirror * p.z());
     return nodes;
 }
-
-}  // namespace
 
 // An overhand pulled until it is tight: never through itself, by no more than strands give, still an overhand.
 TEST(Elastic, OverhandTightensAndStaysOne) {
@@ -308,3 +306,5 @@ TEST(Elastic, AToolPushesItOn) {
     EXPECT_GT(at.y(), 0) << "the bar came through the place where the thread lay";
     EXPECT_GT(foremost, at.y() + bar);
 }
+
+}  // namespace elastic_thread

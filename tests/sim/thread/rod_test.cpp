@@ -7,17 +7,15 @@
 #include "app/bench/rod_cases.hpp"
 #include "sim/thread/rod.hpp"
 
-using namespace sim::thread;
+namespace rods {
 
-namespace {
+using namespace sim::thread;
 
 std::vector<Vec3> straight(int links, double length) {
     std::vector<Vec3> nodes;
     for (int i = 0; i <= links; ++i) nodes.emplace_back(length * i / links, 0, 0);
     return nodes;
 }
-
-}  // namespace
 
 // Against Eigen's dense solver, on matrices a rod could have, and with nodes that touch at its ends, beside each other, one apart,
 // all over, and more of them than go up the chain together; whole and cut, with what touches before, behind and on both sides.
@@ -155,3 +153,5 @@ TEST(ElasticThread, SlidesOverACylinderAsACapstanDoes) {
     for (const auto& [friction, tick] : {std::tuple(0.1, 4e-3), std::tuple(0.3, 1e-3), std::tuple(0.3, 4e-3)})
         EXPECT_LT(std::abs(app::bench::elastic_capstan(friction, 4 * pi, 20 * degree, tick).error()), 0.03) << friction << ' ' << tick;
 }
+
+}  // namespace rods

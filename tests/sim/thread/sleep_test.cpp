@@ -4,7 +4,8 @@
 #include "tests/sim/thread/scene.hpp"
 
 // Pieces of a cut thread that lie still are not solved, and nobody may see that.
-namespace {
+
+namespace sleeping {
 
 using namespace scene;
 using sim::geometry::Capsule;
@@ -138,4 +139,4 @@ TEST(Sleep, AThreadInOnePieceDoesNot) {
     EXPECT_GT(report.contacts, 0);
 }
 
-}  // namespace
+}  // namespace sleeping
