@@ -76,13 +76,12 @@ std::size_t ChainMatrix::first_in_piece(std::span<const int> nodes) const {
 
 // Above the band Z is what its next eight rows make of it: the three columns of each node, from there up to the first node of its piece; pieces
 // know nothing of each other. Columns go up together, as each row waits for the one below it.
-Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> nodes) {
+void ChainMatrix::inverse_at(std::span<const int> nodes, double* to) {
     const std::size_t count = nodes.size(), size = 3 * count;
-    inverse_.resize(size * size + beyond);
     Window window;
     const auto node_at = [&](std::size_t place) { return static_cast<std::size_t>(nodes[place]); };
     if (count > 0) invert_band(node_at(0), node_at(count - 1));
-    const auto inverse = [size, first = inverse_.data()](std::size_t column, std::size_t axis, std::size_t row) { return first + (3 * column + axis) * size + 3 * row; };
+    const auto inverse = [size, to](std::size_t column, std::size_t axis, std::size_t row) { return to + (3 * column + axis) * size + 3 * row; };
     for (std::size_t end = count, top = count; end > 0;) {
         if (end == top) top = first_in_piece(nodes.first(end));
         const std::size_t begin = std::max(top, end > together ? end - together : 0);
@@ -112,7 +111,6 @@ Eigen::Map<const Eigen::MatrixXd> ChainMatrix::inverse_at(std::span<const int> n
         }
         end = begin;
     }
-    return {inverse_.data(), static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size)};
 }
 
 }  // namespace sim::thread

@@ -35,10 +35,9 @@ class ChainMatrix {
     /// Factors the matrix with `more` added to all of its diagonal (L D L^T). False when that is not positive definite.
     bool factor(double more = 0);
 
-    /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors. Four numbers
-    /// may be read from any place in it. Its time grows, piece by piece, with the nodes from the first of them to the end of the piece, times those.
-    Eigen::Map<const Eigen::MatrixXd> inverse_at(std::span<const int> nodes);
-    static constexpr std::size_t beyond = 3;  ///< Numbers behind the last, for who reads four at once.
+    /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors: column after column
+    /// from `to` on. Its time grows, piece by piece, with the nodes from the first of them to the end of the piece, times those.
+    void inverse_at(std::span<const int> nodes, double* to);
 
     /// x = A^-1 x, by the last factors.
     void solve(std::vector<Vec3>& x) const;
@@ -52,7 +51,6 @@ class ChainMatrix {
 
     std::size_t nodes_ = 0;
     std::vector<double> band_, factor_, inverse_band_;  // columns
-    std::vector<double> inverse_;
 };
 
 }  // namespace sim::thread

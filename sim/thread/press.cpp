@@ -56,10 +56,12 @@ void push_more(State& state, const Responses& responses, std::size_t c, const Ve
     const double* const z = responses.row(axes(c) + 2).data();
     const double along_x = more.x(), along_y = more.y(), along_z = more.z();
     double* const apart = state.apart.data();
-    const std::size_t size = state.apart.size();
-    std::size_t i = 0;
-    for (; i + 4 <= size; i += 4) (Lane::from(apart + i) + (Lane::from(x + i) * along_x + Lane::from(y + i) * along_y + Lane::from(z + i) * along_z)).to(apart + i);
-    for (; i < size; ++i) apart[i] += x[i] * along_x + y[i] * along_y + z[i] * along_z;
+    for (const Run& run : answers_to(state, c)) {
+        const std::size_t past = 3 * run.past;
+        std::size_t i = 3 * run.first;
+        for (; i + 4 <= past; i += 4) (Lane::from(apart + i) + (Lane::from(x + i) * along_x + Lane::from(y + i) * along_y + Lane::from(z + i) * along_z)).to(apart + i);
+        for (; i < past; ++i) apart[i] += x[i] * along_x + y[i] * along_y + z[i] * along_z;
+    }
 }
 
 // One contact after the other; returns how much that changed, as share of all pushes.

@@ -15,8 +15,12 @@ Vec3 way_of(const State& state, const Row& row);
 /// All of State::presses, until they push as Coulomb wants it; returns how often all were looked at.
 int solve_together(State& state);
 
-/// With the rod's inverse at the nodes that they touch; O(m n + m^2) for m contacts that touch n nodes. Pieces of thread answer each by itself.
+/// With the rod's inverse at the nodes that they touch; O(m n + m^2) for m contacts that touch n nodes. Pieces of thread answer each by itself: where
+/// contacts share none nothing is written.
 Responses measure_responses(State& state);
+
+/// The contacts that move when d pushes, increasing, d among them unless nothing moves: those that share a piece of thread with it.
+std::span<const Run> answers_to(const State& state, std::size_t d);
 
 /// Pushes contact c by `more` [N] than it does, and moves the points of all.
 void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more);

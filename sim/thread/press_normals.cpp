@@ -19,6 +19,10 @@ double lacks(const State& state, std::size_t c, double give) {
     return (press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c)).dot(n) - give * normal_push(press);
 }
 
+bool share_piece(const Press& a, const Press& b) {
+    return &a == &b || std::any_of(a.piece.begin(), a.piece.end(), [&](int piece) { return piece >= 0 && (piece == b.piece[0] || piece == b.piece[1]); });
+}
+
 // How contacts that push part for unit pushes across.
 Matrix responses_across(State& state, const Responses& responses) {
     const std::vector<int>& pushing = state.pushing;
@@ -28,7 +32,7 @@ Matrix responses_across(State& state, const Responses& responses) {
         const auto c = static_cast<std::size_t>(pushing[static_cast<std::size_t>(i)]);
         for (Eigen::Index j = 0; j <= i; ++j) {
             const auto d = static_cast<std::size_t>(pushing[static_cast<std::size_t>(j)]);
-            across(i, j) = state.presses[c].normal.dot(responses.block<3, 3>(axes(c), axes(d)) * state.presses[d].normal);
+            across(i, j) = share_piece(state.presses[c], state.presses[d]) ? state.presses[c].normal.dot(responses.block<3, 3>(axes(c), axes(d)) * state.presses[d].normal) : 0;
         }
     }
     return across;

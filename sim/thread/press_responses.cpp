@@ -8,13 +8,21 @@ namespace sim::thread {
 
 using geometry::Lane;
 
-// Four numbers of what a contact makes of its nodes, from where each has them on. Always of four nodes, what is missing with no weight.
-static Lane weighed(const Pair& pair, const double* from, const std::array<Eigen::Index, 4>& place) {
-    Lane sum;
+constexpr std::size_t beyond = 3;  // numbers behind the last, as four are read at once
+
+// How much of a contact is at each of its nodes, always four, and where those have what it acts on.
+struct Weighing {
+    std::array<double, 4> weight;
+    std::array<Eigen::Index, 4> place;
+
+    /// Four numbers of what the contact makes of it.
+    Lane from(const double* first) const {
+        Lane sum;
 #pragma GCC unroll 4
-    for (std::size_t k = 0; k < 4; ++k) sum += Lane(pair.weight[k]) * Lane::from(from + place[k]);
-    return sum;
-}
+        for (std::size_t k = 0; k < 4; ++k) sum += Lane(weight[k]) * Lane::from(first + place[k]);
+        return sum;
+    }
+};
 
 static void find_touching(State& state) {
     state.touching.clear();
@@ -45,49 +53,82 @@ static void find_places(State& state) {
 // The contacts that are of one of two pieces, or of one.
 static void add_answers(State& state, const std::array<int, 2>& pieces) {
     const auto is_one = [&](int piece) { return piece >= 0 && (piece == pieces[0] || piece == pieces[1]); };
-    for (std::size_t c = 0; c < state.presses.size(); ++c)
-        if (is_one(state.presses[c].piece[0]) || is_one(state.presses[c].piece[1])) state.answer.push_back(c);
-    state.first_answer.push_back(state.answer.size());
+    const std::size_t first = state.answering.size();
+    for (std::size_t c = 0; c < state.presses.size(); ++c) {
+        if (!is_one(state.presses[c].piece[0]) && !is_one(state.presses[c].piece[1])) continue;
+        if (state.answering.size() > first && state.answering.back().past == c) ++state.answering.back().past;
+        else state.answering.push_back({c, c + 1});
+    }
+    state.first_answer.push_back(state.answering.size());
 }
 
-// Those of each piece, then of each contact between two.
+// None to a contact that nothing moves, those of each piece, then of each contact between two.
 static void find_answers(State& state) {
-    state.first_answer.assign(1, 0), state.answer.clear();
+    state.first_answer.assign(2, 0), state.answering.clear();
     for (std::size_t piece = 0; piece < state.island.size(); ++piece) add_answers(state, {static_cast<int>(piece), -1});
     for (Press& press : state.presses) {
-        press.answers = static_cast<std::size_t>(std::max(0, press.piece[0]));
+        press.answers = static_cast<std::size_t>(press.piece[0] + 1);
         if (press.piece[0] == press.piece[1]) continue;
         press.answers = state.first_answer.size() - 1;
         add_answers(state, press.piece);
     }
 }
 
-// The contacts that move when d pushes, increasing: those that share a piece of thread with it.
-static std::span<const std::size_t> answers_to(const State& state, std::size_t d) {
+std::span<const Run> answers_to(const State& state, std::size_t d) {
     const std::size_t list = state.presses[d].answers;
-    return std::span(state.answer).subspan(state.first_answer[list], state.first_answer[list + 1] - state.first_answer[list]);
+    return std::span(state.answering).subspan(state.first_answer[list], state.first_answer[list + 1] - state.first_answer[list]);
 }
 
 // It is symmetric: what is beyond the diagonal was found.
 static void mirror(const State& state, Responses& responses) {
-    for (std::size_t d = 0; d < state.presses.size(); ++d)
-        for (const std::size_t c : answers_to(state, d)) {
-            if (c == d) responses.block<3, 3>(axes(d), axes(d)).transposeInPlace();
-            if (c > d) responses.block<3, 3>(axes(c), axes(d)) = responses.block<3, 3>(axes(d), axes(c)).transpose();
-        }
+    for (std::size_t d = 0; d < state.presses.size(); ++d) {
+        responses.block<3, 3>(axes(d), axes(d)).transposeInPlace();
+        for (const Run& run : answers_to(state, d))
+            for (std::size_t c = std::max(run.first, d + 1); c < run.past; ++c) responses.block<3, 3>(axes(c), axes(d)) = responses.block<3, 3>(axes(d), axes(c)).transpose();
+    }
+}
+
+// Of each piece by itself: pieces know nothing of each other.
+static void find_inverses(State& state) {
+    state.first_inverse.assign(1, 0);
+    const auto nodes_of = [&](std::size_t piece) { return std::span(state.touching).subspan(state.first_touching[piece], state.first_touching[piece + 1] - state.first_touching[piece]); };
+    for (std::size_t piece = 0; piece < state.island.size(); ++piece) {
+        const std::size_t size = 3 * nodes_of(piece).size();
+        state.first_inverse.push_back(state.first_inverse.back() + size * size);
+    }
+    if (const std::size_t all = state.first_inverse.back() + beyond; state.inverses.size() < all) state.inverses.resize(all);
+    for (std::size_t piece = 0; piece < state.island.size(); ++piece) state.rod->matrix().inverse_at(nodes_of(piece), state.inverses.data() + state.first_inverse[piece]);
+}
+
+// What of a contact acts on a piece: its nodes in the columns of that one's inverse, for an axis. Others have no weight there.
+static Weighing on_piece(const State& state, const Press& press, std::size_t piece, Eigen::Index axis) {
+    const Eigen::Index first = axes(state.first_touching[piece]), rows = axes(state.first_touching[piece + 1]) - first;
+    Weighing weighing{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::Index own = press.place[k] - first;
+        const bool is_of_it = press.pair.weight[k] != 0 && own >= 0 && own < rows;
+        weighing.weight[k] = is_of_it ? press.pair.weight[k] : 0;
+        weighing.place[k] = is_of_it ? (own + axis) * rows : 0;
+    }
+    return weighing;
 }
 
 // How the nodes that touch, of a contact's pieces, move for a unit push of it along an axis.
-static void find_moves(State& state, const Eigen::Map<const Eigen::MatrixXd>& inverse, const Press& press, Eigen::Index axis) {
-    std::array<Eigen::Index, 4> columns{};
-    for (std::size_t k = 0; k < 4; ++k) columns[k] = (press.place[k] + axis) * inverse.rows();
-    const auto [low, high] = std::minmax(press.piece[0], press.piece[1]);
-    const auto move = [&](int piece) {
-        const Eigen::Index past = axes(state.first_touching[at(piece) + 1]);
-        for (Eigen::Index i = axes(state.first_touching[at(piece)]); i < past; i += 4) weighed(press.pair, inverse.data() + i, columns).to(state.press_moves.data() + i);
+static void find_moves(State& state, const Press& press, Eigen::Index axis) {
+    const auto move = [&](std::size_t piece) {
+        const Weighing weighing = on_piece(state, press, piece, axis);
+        const double* const inverse = state.inverses.data() + state.first_inverse[piece];
+        double* const moves = state.press_moves.data() + axes(state.first_touching[piece]);
+        const Eigen::Index rows = axes(state.first_touching[piece + 1] - state.first_touching[piece]);
+        Eigen::Index i = 0;
+        for (; i + 4 <= rows; i += 4) weighing.from(inverse + i).to(moves + i);
+        if (i == rows) return;
+        const Lane rest = weighing.from(inverse + i);
+        for (std::size_t k = 0; i < rows; ++i, ++k) moves[i] = rest[k];
     };
-    if (low >= 0) move(low);
-    if (high > low) move(high);
+    const auto [low, high] = std::minmax(press.piece[0], press.piece[1]);
+    if (low >= 0) move(at(low));
+    if (high > low) move(at(high));
 }
 
 static void forget_moves(State& state, const Press& press) {
@@ -97,20 +138,19 @@ static void forget_moves(State& state, const Press& press) {
 
 Responses measure_responses(State& state) {
     find_touching(state);
-    const auto inverse = state.rod->matrix().inverse_at(state.touching);
     find_places(state);
     find_answers(state);
+    find_inverses(state);
     const std::vector<Press>& presses = state.presses;
     Responses responses = state.press_responses.resized(axes(presses.size()), axes(presses.size()));
-    state.press_moves.assign(static_cast<std::size_t>(inverse.rows()) + ChainMatrix::beyond + 1, 0.0);  // four numbers even where nothing can move
+    state.press_moves.assign(3 * state.touching.size() + beyond + 1, 0.0);  // four numbers even where nothing can move
     for (std::size_t d = 0; d < presses.size(); ++d) {
-        const std::span<const std::size_t> answers = answers_to(state, d);
         for (Eigen::Index a = 0; a < 3; ++a) {
-            find_moves(state, inverse, presses[d], a);
+            find_moves(state, presses[d], a);
             double* const row = responses.row(axes(d) + a).data();
-            if (answers.size() < presses.size()) std::fill_n(row, 3 * presses.size(), 0.0);
-            for (const std::size_t c : answers)
-                if (c >= d) weighed(presses[c].pair, state.press_moves.data(), presses[c].place).three_to(row + 3 * c);
+            std::fill_n(row + 3 * d, 3, 0.0);  // where nothing moves
+            for (const Run& run : answers_to(state, d))
+                for (std::size_t c = std::max(run.first, d); c < run.past; ++c) Weighing{presses[c].pair.weight, presses[c].place}.from(state.press_moves.data()).three_to(row + 3 * c);
         }
         forget_moves(state, presses[d]);
     }

@@ -80,6 +80,11 @@ struct SleepingPress {
     geometry::Triangle wall;            ///< Where that was, if it is one.
 };
 
+/// Presses one after the other.
+struct Run {
+    std::size_t first, past;
+};
+
 /// A contact of an elastic thread during one step.
 struct Press {
     explicit Press(Row* of) : row(of), normal(of->normal) {}
@@ -94,7 +99,7 @@ struct Press {
     Eigen::Matrix3d along = {};         ///< the push along that undoes a slip [N/m].
     Vec3 before = Vec3::Zero(), way = Vec3::Zero();  ///< Its push as a sweep began, and where sweeps lead.
     Pair pair;                      ///< Where it acts, and its push as the step began.
-    std::array<Eigen::Index, 4> place{};  ///< Of those nodes in ChainMatrix::inverse_at.
+    std::array<Eigen::Index, 4> place{};  ///< Of those nodes' three axes among all that touch.
     std::array<int, 2> piece{-1, -1};     ///< Of the thread that they are of; none: -1.
     std::size_t answers = 0;              ///< Which list of those that answer to its pushes is its.
 };
@@ -216,7 +221,10 @@ struct State {
     std::vector<double> all_apart;     ///< their `apart`;
     std::vector<int> piece_of, island; ///< of each node the piece, and of each piece the first in its island.
     std::vector<std::size_t> first_touching;        ///< Of each piece, among what touches; past the last its end.
-    std::vector<std::size_t> first_answer, answer;  ///< Lists of presses that answer to others' pushes: where each begins, and all.
+    std::vector<double> inverses;                   ///< ChainMatrix::inverse_at each piece's nodes that touch, one after the other,
+    std::vector<std::size_t> first_inverse;         ///< where each begins.
+    std::vector<Run> answering;                     ///< Lists of presses that answer to others' pushes, in runs,
+    std::vector<std::size_t> first_answer;          ///< and where each list begins.
     std::vector<Rolling> rolling;
     std::vector<Pair> pairs;
     std::vector<Hold> targets;

@@ -120,25 +120,37 @@ TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
 }
 
 // Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's dense inverse. What one push moves is
-// moved by push_more().
+// moved by push_more(). Of contacts that share no piece nothing is written, and nothing is read.
 TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
         Cut cut(random);
+        State& state = cut.state;
         const int last = seed % 2 ? 1 : 2;  // the third piece touches nothing, or itself alone
         for (int i = 0; i < 30; ++i) {
             const int piece = static_cast<int>(random() % static_cast<unsigned>(last + 1));
             const int others[] = {-1, piece, piece < 2 ? 1 - piece : -1};
             cut.press(random, i == 7 ? -1 : piece, i == 7 ? -1 : others[random() % 3]);
         }
-        const auto responses = measure_responses(cut.state);
+        const std::size_t count = state.presses.size();
+        state.press_responses.room.assign(9 * count * count, NAN), state.inverses.assign(9 * nodes * nodes, NAN);
+        const auto responses = measure_responses(state);
         const Eigen::MatrixXd ways = cut.ways(), expected = ways * cut.inverse * ways.transpose();
-        ASSERT_LT((responses - expected).cwiseAbs().maxCoeff(), 1e-12);  // entries are of the order of a fortieth
-        cut.state.apart.assign(3 * cut.state.presses.size(), 0.0);
+        for (std::size_t d = 0; d < count; ++d)
+            for (const sim::thread::Run& run : answers_to(state, d)) {
+                const auto first = sim::axes(run.first), size = sim::axes(run.past) - first;
+                ASSERT_LT((responses - expected).block(sim::axes(d), first, 3, size).cwiseAbs().maxCoeff(), 1e-12);  // entries are of the order of a fortieth
+            }
+        state.apart.assign(3 * count, 0.0);
         const Vec3 push(0.3, -1, 0.7);
-        push_more(cut.state, responses, 3, push);
-        const Eigen::Map<const Eigen::VectorXd> moved(cut.state.apart.data(), expected.rows());
+        push_more(state, responses, 3, push);
+        const Eigen::Map<const Eigen::VectorXd> moved(state.apart.data(), expected.rows());
         EXPECT_LT((moved - expected.middleCols<3>(9) * push).cwiseAbs().maxCoeff(), 1e-12);
+        for (auto& press : state.presses) press.normal = Vec3::UnitZ(), press.rest = 1e-3 * press.normal;
+        part_presses(state, responses);
+        double sum = 0;
+        for (const auto& press : state.presses) sum += press.push.norm();
+        EXPECT_TRUE(sum > push.norm() && std::isfinite(sum)) << "too near, they push";
     }
 }

@@ -59,7 +59,9 @@ TEST(ChainMatrix, SolvesAsADenseMatrixDoes) {
             const Eigen::MatrixXd inverse = dense.inverse();
             const Eigen::VectorXd expected = inverse * right;
             for (int i = 0; i < n; ++i) EXPECT_LT((x[static_cast<std::size_t>(i)] - expected.segment<3>(3 * i)).norm(), 1e-12);
-            const Eigen::MatrixXd found = matrix.inverse_at(touching);
+            const auto size = static_cast<Eigen::Index>(3 * touching.size());
+            Eigen::MatrixXd found(size, size);
+            matrix.inverse_at(touching, found.data());
             for (std::size_t a = 0; a < touching.size(); ++a)
                 for (std::size_t b = 0; b < touching.size(); ++b)
                     EXPECT_LT((found.block(3 * static_cast<int>(a), 3 * static_cast<int>(b), 3, 3) - inverse.block(3 * touching[a], 3 * touching[b], 3, 3)).norm(), 1e-12);
