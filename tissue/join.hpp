@@ -74,8 +74,8 @@ struct Join {
 /// Places on two rims are compared by their angles about one axis, at rest: a vessel turned on its axis since counts as stitched aslant.
 Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const std::vector<Vec3>> threads, double diameter, const Fluid& fluid = {});
 
-/// Which of these threads of one diameter [m], each a line of nodes, passes both holes of an open bite nearest, as near as what fits through them could be: by the
-/// narrower hole's radius and a diameter; none: -1. As many distances as nodes.
+/// Which of these threads of one diameter [m], each a line of nodes, passes both holes of an open bite nearest, as near as what is in them could be: by twice a
+/// hole's radius, to which rims are drawn out (Skin::set_wires), and a diameter; none: -1. As many distances as nodes.
 int thread_in(const Bite& bite, const Skin& skin, std::span<const std::vector<Vec3>> threads, double diameter);
 
 }  // namespace tissue

@@ -84,12 +84,13 @@ class Measuring {
 }  // namespace
 
 int thread_in(const Bite& bite, const Skin& skin, std::span<const std::vector<Vec3>> threads, double diameter) {
-    double best = std::min(skin.radius(bite.entry.hole), skin.radius(bite.exit.hole)) + diameter;
+    const auto off = [&](std::span<const Vec3> thread, const BiteEnd& end) { return place_on(thread, skin.centre(end.hole)).distance / (2 * skin.radius(end.hole) + diameter); };
+    double best = 1;
     int found = -1;
     for (std::size_t i = 0; i < threads.size(); ++i) {
         if (threads[i].size() < 2) continue;
-        const double distance = std::max(place_on(threads[i], skin.centre(bite.entry.hole)).distance, place_on(threads[i], skin.centre(bite.exit.hole)).distance);
-        if (distance <= best) best = distance, found = static_cast<int>(i);
+        const double farther = std::max(off(threads[i], bite.entry), off(threads[i], bite.exit));
+        if (farther <= best) best = farther, found = static_cast<int>(i);
     }
     return found;
 }

@@ -129,6 +129,13 @@ TEST(Join, KnowsTheBitesOfANeedle) {
     EXPECT_NEAR(join.stitches[0].obliqueness, 0, 1e-9);
     EXPECT_NEAR(join.stitches[0].loop, 1, 0.02);                  // the arc in the wall over its chord
     EXPECT_EQ(committed(join), "");
+    // Where a rim was drawn out thread lies off its middle; beyond that it is in no hole.
+    const double reach = 2 * operation.skin[0].radius(0) + diameter;
+    for (const auto& [aside, number] : {std::pair(0.95 * reach, 0), {1.2 * reach, -1}}) {
+        std::vector<Vec3> moved = thread;
+        for (Vec3& node : moved) node += aside * up.cross(along);
+        for (const SewnBite& sewn : judge(vessel(0), vessel(1), {{moved}}, diameter).bites) EXPECT_EQ(sewn.thread, number) << aside;
+    }
 }
 
 // Turned in space, and the other vessel named first.
