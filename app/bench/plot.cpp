@@ -131,6 +131,11 @@ class Drawing {
 
 }  // namespace
 
+double value_in(const Suite& suite, const std::string& id) {
+    const auto row = std::find_if(suite.rows.begin(), suite.rows.end(), [&](const Row& of) { return of.id == id; });
+    return row == suite.rows.end() ? NAN : row->value;
+}
+
 std::string svg(const std::vector<Chart>& charts) {
     std::size_t names = 0;
     for (const Chart& chart : charts) names = std::max(names, chart.series.size());

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "app/bench/row.hpp"
+
 namespace app::bench {
 
 /// A point and the words beside it.
@@ -22,6 +24,9 @@ struct Chart {
     std::vector<Series> series;
     bool log_y = false;
 };
+
+/// What the row of this id says, in its unit; not a number where there is none. As many comparisons as rows.
+double value_in(const Suite& suite, const std::string& id);
 
 /// The charts side by side, as a picture that needs nothing else. What is no number is left out.
 std::string svg(const std::vector<Chart>& charts);

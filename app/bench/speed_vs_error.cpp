@@ -81,16 +81,11 @@ class Points {
     explicit Points(const Suite& suite) : suite_(suite) {}
 
     void add_to(Series& series, const std::string& id, const std::string& figure, const std::string& label) const {
-        const Row *cost = row(id + "-cost"), *value = row(id + "-" + figure);
-        if (cost && value) series.points.push_back({cost->value, value->value, label});
+        const double cost = value_in(suite_, id + "-cost"), value = value_in(suite_, id + "-" + figure);
+        if (!std::isnan(cost) && !std::isnan(value)) series.points.push_back({cost, value, label});
     }
 
   private:
-    const Row* row(const std::string& id) const {
-        const auto found = std::find_if(suite_.rows.begin(), suite_.rows.end(), [&](const Row& r) { return r.id == id; });
-        return found == suite_.rows.end() ? nullptr : &*found;
-    }
-
     const Suite& suite_;
 };
 

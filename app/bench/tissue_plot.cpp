@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "app/bench/plot.hpp"
@@ -9,25 +7,12 @@ namespace app::bench {
 
 namespace {
 
-// What a row says; not a number where there is none, which is not drawn.
-class Values {
-  public:
-    explicit Values(const Suite& suite) : suite_(suite) {}
-    double operator()(const std::string& id) const {
-        const auto row = std::find_if(suite_.rows.begin(), suite_.rows.end(), [&](const Row& of) { return of.id == id; });
-        return row == suite_.rows.end() ? NAN : row->value;
-    }
-
-  private:
-    const Suite& suite_;
-};
-
 constexpr const char* cost = "a simulated second takes [ms]";
 
 // us a step to ms a second.
 double in_a_second(double step_us, double step_ms) { return step_us / step_ms; }
 
-Chart by_resolution(const Values& value) {
+Chart by_resolution(const Suite& suite) {
     Chart chart{cost, "error [%]", {}, true};
     const struct {
         const char *name, *before, *after;
@@ -35,19 +20,19 @@ Chart by_resolution(const Values& value) {
     for (const auto& [name, before, after] : errors) {
         Series series{name, {}};
         for (const std::string around : {"8", "12", "16", "24", "32"})
-            series.points.push_back({in_a_second(value("pull-n" + around + "-30mN-step2-moves1-factor8-mean"), 2), value(before + around + after), around});
+            series.points.push_back({in_a_second(value_in(suite, "pull-n" + around + "-30mN-step2-moves1-factor8-mean"), 2), value_in(suite, before + around + after), around});
         chart.series.push_back(series);
     }
     return chart;
 }
 
-Chart by_solver(const Values& value) {
+Chart by_solver(const Suite& suite) {
     Chart chart{cost, "edge off at 30 mN, at most [%]", {}, true};
     for (const int ms : {1, 2, 4}) {
         Series series{"steps of " + std::to_string(ms) + " ms, factored in ...", {}};
         for (const std::string steps : {"0", "4", "8", "16"}) {
             const std::string id = "pull-n16-30mN-step" + std::to_string(ms) + "-moves1-factor" + steps;
-            series.points.push_back({in_a_second(value(id + "-mean"), ms), value(id + "-off"), steps == "0" ? "each" : steps});
+            series.points.push_back({in_a_second(value_in(suite, id + "-mean"), ms), value_in(suite, id + "-off"), steps == "0" ? "each" : steps});
         }
         chart.series.push_back(series);
     }
@@ -57,8 +42,7 @@ Chart by_solver(const Values& value) {
 }  // namespace
 
 std::string tissue_picture(const Suite& suite) {
-    const Values value(suite);
-    return svg({by_resolution(value), by_solver(value)});
+    return svg({by_resolution(suite), by_solver(suite)});
 }
 
 }  // namespace app::bench

@@ -62,18 +62,12 @@ void add_trade_off(Suite& suite, bool quick, const Progress& progress) {
 }
 
 std::string trade_off_picture(const Suite& suite) {
-    const auto value = [&](const std::string& id) {
-        const auto row = std::find_if(suite.rows.begin(), suite.rows.end(), [&](const Row& r) { return r.id == id; });
-        return row == suite.rows.end() ? std::optional<double>() : row->value;
-    };
     const auto chart = [&](const std::string& figure, const std::string& label) {
         Chart made{"cost of a simulated second [ms]", label, {}};
         for (const double link : links_long) {
             Series series{"links of " + digits(link) + " D", {}};
-            for (const double tick_ms : ticks_ms) {
-                const auto cost = value(id_of(link, tick_ms) + "-cost"), error = value(id_of(link, tick_ms) + "-" + figure);
-                if (cost && error) series.points.push_back({*cost, *error, digits(tick_ms) + " ms"});
-            }
+            for (const double tick_ms : ticks_ms)
+                series.points.push_back({value_in(suite, id_of(link, tick_ms) + "-cost"), value_in(suite, id_of(link, tick_ms) + "-" + figure), digits(tick_ms) + " ms"});
             made.series.push_back(series);
         }
         return made;

@@ -35,8 +35,8 @@ class ChainMatrix {
     /// Factors the matrix with `more` added to all of its diagonal (L D L^T). False when that is not positive definite.
     bool factor(double more = 0);
 
-    /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors: column after column
-    /// from `to` on. Its time grows, piece by piece, with the nodes from the first of them to the end of the piece, times those.
+    /// The part of A^-1 in the rows and columns of some nodes, increasing, three scalars each in their order, by the last factors: column after column,
+    /// (3 n)^2 numbers from `to` on for n nodes [m/N of a rod's matrix]. Its time grows, piece by piece, with the nodes from the first of them to the end of the piece, times those.
     void inverse_at(std::span<const int> nodes, double* to);
 
     /// x = A^-1 x, by the last factors.
