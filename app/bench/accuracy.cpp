@@ -19,6 +19,7 @@
 #include "app/bench/strand_capstan.hpp"
 #include "app/bench/thread_rope.hpp"
 #include "app/bench/tight_elastic.hpp"
+#include "app/bench/words.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace app::bench {
@@ -90,8 +91,6 @@ struct Drawn {
     double most_creep;  ///< In a second [D].
     bool has_corners;   ///< Its nodes carry what a polyline's do.
 };
-
-std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 constexpr double half_turn = std::numbers::pi, degree = std::numbers::pi / 180;
 

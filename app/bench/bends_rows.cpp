@@ -4,19 +4,18 @@
 
 #include "app/bench/bends.hpp"
 #include "app/bench/core.hpp"
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
 namespace {
-
-std::string tenths(double value) { return std::to_string(std::lround(10 * value)); }
 
 // "0.1", "0.12"; without its point "1", "12".
 std::string friction_in(double friction) {
     const long hundredths = std::lround(100 * friction);
     return hundredths % 10 == 0 ? "0." + std::to_string(hundredths / 10) : "0." + std::to_string(hundredths);
 }
-std::string digits(double friction) { return friction_in(friction).substr(2); }
+std::string friction_digits(double friction) { return friction_in(friction).substr(2); }
 
 struct Table {
     std::vector<Row> rows;
@@ -50,7 +49,7 @@ struct Table {
 void add_ranking(Table& table, double friction, double link) {
     const Bend bends[] = {{"reef knot", true, false}, {"thief knot", true, true}, {"granny knot", false, false}, {"grief knot", false, true}};
     constexpr std::array names{"reef", "thief", "granny", "grief"};
-    const std::string on = "-mu" + digits(friction) + (link == 1 ? "" : "-link" + tenths(link));
+    const std::string on = "-mu" + friction_digits(friction) + (link == 1 ? "" : "-link" + tenths(link));
     std::array<double, 4> force{};
     for (std::size_t i = 0; i < force.size(); ++i)
         force[i] = table.pulled(std::string("elastic-bend-") + names[i] + on, bends[i], {.friction = friction, .bending_share = 0.02, .tails = 1, .link = link}).force;
@@ -69,7 +68,7 @@ double held_of(const Pulled& pulled) { return std::min(pulled.share, 0.99); }
 
 // In polypropylene; a loop of it with a tenth of a newton on either tail.
 void add_throws(Table& table, double friction, bool quick) {
-    const std::string on = "-mu" + digits(friction), mu = "friction " + friction_in(friction) + ": ";
+    const std::string on = "-mu" + friction_digits(friction), mu = "friction " + friction_in(friction) + ": ";
     const BendPull pull{.friction = friction, .bending_share = 1, .tails = 0.1};
     const Bend square{"square knot of 2 throws", true, false}, granny{"granny knot of 2 throws", false, false}, four{"square knot of 4 throws", true, false, 4};
     const Pulled two = table.pulled("elastic-loop-square-2" + on, square, pull), slipping = table.pulled("elastic-loop-granny-2" + on, granny, pull);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/bench/defaults.hpp"
 #include "app/bench/knots.hpp"
 #include "app/bench/loop.hpp"
 #include "app/bench/random.hpp"
@@ -9,9 +10,6 @@
 namespace app::bench {
 
 namespace {
-
-constexpr double tick = 1e-3;  // [s]
-constexpr double diameter = 2 * ThreadDef{}.radius;
 
 // Until a hundred ticks bring what is held no farther apart than a fiftieth of the thread's thickness.
 template <class Move, class Apart>
@@ -21,7 +19,7 @@ void pull_tight(const Move& move, const Apart& apart) {
     for (int i = 1; i <= most_ticks; ++i) {
         move();
         if (i % patience != 0) continue;
-        if (apart() < was + 0.02 * diameter) return;
+        if (apart() < was + 0.02 * default_diameter) return;
         was = apart();
     }
 }
@@ -31,8 +29,8 @@ void pull_tight(const Move& move, const Apart& apart) {
 std::vector<Vec3> pulled(Pull how, std::uint64_t seed) {
     Random random(2 * seed + (how == Pull::one_strand));
     const Knot knot = random.below(2) ? Knot::square : Knot::granny;
-    const double friction = 0.1 * random.below(4), link = diameter * random.between(1, 2);
-    const double step = tick * 0.01 * std::pow(20, random.between(0, 1));  // 10 to 200 mm/s
+    const double friction = 0.1 * random.below(4), link = default_diameter * random.between(1, 2);
+    const double step = default_tick * 0.01 * std::pow(20, random.between(0, 1));  // 10 to 200 mm/s
     Loop loop({.friction = friction}, loose_thread(looped(knot, loop_depth), 60, link, 0.5 * link).nodes);
     if (how == Pull::tails) {
         pull_tight([&] { loop.pull_tails(step); }, [&] { return (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm(); });

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/bench/defaults.hpp"
 #include "app/bench/gauge.hpp"
 #include "sim/thread/thread.hpp"
 
@@ -17,12 +18,11 @@ using sim::thread::Thread;
 using sim::thread::ThreadDef;
 using sim::thread::Vec3;
 
-constexpr double diameter = 2 * ThreadDef{}.radius;      // [m]
-constexpr double to_axis = 5 * diameter;                 // from the cylinder's axis to the thread's centre line [m]
-constexpr double pitch = 3 * diameter;                   // of a turn: turns beside each other never touch [m]
-constexpr double speed = 0.01;                           // [m/s]: median to fast tool tips
-constexpr double way = 8 * diameter;                     // pulled at least; the tension is read over the second half [m]
-constexpr int least_ticks = 128;                         // 64 readings: they jump while a link is drawn on, and the median of eight is off by 0.05
+constexpr double to_axis = 5 * default_diameter;  // from the cylinder's axis to the thread's centre line [m]
+constexpr double turn_pitch = 3 * default_diameter;  // of a turn: turns beside each other never touch [m]
+constexpr double tip_speed = 0.01;  // [m/s]: median to fast tool tips
+constexpr double pulled_way = 8 * default_diameter;  // pulled at least; the tension is read over the second half [m]
+constexpr int least_ticks = 128;  // 64 readings: they jump while a link is drawn on, and the median of eight is off by 0.05
 
 // On the cylinder from -wrap/2 to wrap/2 about y, straight on either side of it. Nodes lie just so far out that the middle
 // of each link touches.
@@ -32,10 +32,10 @@ struct Laid {
 };
 
 Laid lay(const CapstanCase& c) {
-    const double link = c.link * diameter, per_angle = std::sqrt(to_axis * to_axis + std::pow(pitch / (2 * std::numbers::pi),
+    const double link = c.link * default_diameter, per_angle = std::sqrt(to_axis * to_axis + std::pow(turn_pitch / (2 * std::numbers::pi),
         2));
     const double step = link / per_angle, out = to_axis / std::cos(step / 2);
-    const auto on = [&](double a) { return Vec3(out * std::sin(a), pitch * a / (2 * std::numbers::pi), out * std::cos(a)); };
+    const auto on = [&](double a) { return Vec3(out * std::sin(a), turn_pitch * a / (2 * std::numbers::pi), out * std::cos(a)); };
     const int arc = static_cast<int>(std::lround(c.wrap / step)), tail = 3 * arc + static_cast<int>(120 / c.link),
         lead = static_cast<int>(20 / c.link);
     std::vector<Vec3> nodes;
@@ -87,7 +87,7 @@ double exponent(double friction, std::span<const double> turns) {
 // The friction with which the law gives the tensions read on either side, by bisection; the drag of a link is the slope of
 // the tail's tension.
 std::optional<double> ratio_read(const Thread& thread, const CapstanCase& c) {
-    const Wrap wrap = wrap_of(thread.nodes(), c.link * diameter / to_axis);
+    const Wrap wrap = wrap_of(thread.nodes(), c.link * default_diameter / to_axis);
     if (wrap.first < 2) return {};
     const double before = thread.tension()[wrap.first - 1], after = thread.tension()[wrap.last];
     const double drag = before / static_cast<double>(wrap.first);
@@ -117,16 +117,16 @@ Capstan capstan(const CapstanCase& c) {
     Thread thread({.friction = c.friction, .friction_tool = c.friction}, std::move(laid.nodes));
     const int last = static_cast<int>(thread.nodes().size()) - 1;
     // The cylinder is a tool part that stands still: an exact cylinder, where a surface would be a prism with edges.
-    const Vec3 half(0, 100 * diameter, 0);
-    const sim::geometry::Capsule cylinder{-half, half, to_axis - 0.5 * diameter};
+    const Vec3 half(0, 100 * default_diameter, 0);
+    const sim::geometry::Capsule cylinder{-half, half, to_axis - 0.5 * default_diameter};
     const sim::thread::MovingCapsule capsules[] = {{cylinder, cylinder, 0}};
-    const int owners[] = {-1}, ticks = std::max(least_ticks, static_cast<int>(std::lround(way / (speed * c.tick))));
+    const int owners[] = {-1}, ticks = std::max(least_ticks, static_cast<int>(std::lround(pulled_way / (tip_speed * c.tick))));
     std::vector<double> ratios;
     Capstan result;
     result.cost.links = last;
     for (int i = 0; i < ticks; ++i) {
         const Vec3 at = thread.nodes().back();
-        const Hold holds[] = {{last, at + speed * c.tick * laid.away, at + 10 * diameter * laid.away}};
+        const Hold holds[] = {{last, at + tip_speed * c.tick * laid.away, at + 10 * default_diameter * laid.away}};
         const auto report = result.cost.of([&] { return thread.tick({holds, owners, capsules, nullptr}); });
         if (2 * i < ticks || report.fraction < 1) continue;
         if (const auto ratio = ratio_read(thread, c)) ratios.push_back(*ratio);

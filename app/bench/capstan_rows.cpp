@@ -5,6 +5,7 @@
 
 #include "app/bench/capstan.hpp"
 #include "app/bench/stopwatch.hpp"
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
@@ -15,10 +16,11 @@ struct Angle {
     double radians;
 };
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr std::array angles = {Angle{"quarter", "a quarter turn", 0.5 * pi}, Angle{"half", "half a turn", pi},
                                Angle{"one", "one turn", 2 * pi}, Angle{"one-and-half", "one and a half turns", 3 * pi}};
-constexpr std::array ticks = {1.0 / 250, 1.0 / 1000, 1.0 / 4000};  // [s]
+constexpr std::array capstan_ticks = {1.0 / 250, 1.0 / 1000, 1.0 / 4000};  // [s]
 
 // Of the exponents' ratios at all rates: largest deviation from 1, and spread.
 struct OverRates {
@@ -28,7 +30,7 @@ struct OverRates {
 OverRates over_rates(double wrap, double friction, double link) {
     OverRates result;
     double least = 1e300, most = 0;
-    for (const double tick : ticks) {
+    for (const double tick : capstan_ticks) {
         const Capstan measured = capstan({wrap, friction, tick, link});
         result.deviation = std::max(result.deviation, measured.deviation());
         least = std::min(least, measured.ratio);
@@ -37,8 +39,6 @@ OverRates over_rates(double wrap, double friction, double link) {
     result.spread = most - least;
     return result;
 }
-
-std::string tenths(double value) { return std::to_string(static_cast<int>(std::lround(10 * value))); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "app/bench/defaults.hpp"
 #include "app/bench/gauge.hpp"
 #include "app/bench/stopwatch.hpp"
 #include "sim/geometry/resample.hpp"
@@ -18,9 +19,10 @@ using sim::thread::Hold;
 using sim::thread::Thread;
 using sim::thread::ThreadDef;
 
-constexpr double pi = std::numbers::pi, diameter = 2 * ThreadDef{}.radius;
-constexpr double arm = 15, apart = 3;  // [D] of a bight from tip to end, and of the tips at first
-constexpr double pull_strain = 0.01;   // then bent about a strand it pulls back with less than a hundredth of what pulls it
+using std::numbers::pi;
+
+constexpr double arm = 15, tips_apart = 3;  // [D] of a bight from tip to end, and of the tips at first
+constexpr double pull_strain = 0.01;  // then bent about a strand it pulls back with less than a hundredth of what pulls it
 
 // A bight as wide as it is when tight, its tip at 0, its arms along z to `arm`.
 std::vector<Vec3> bight() {
@@ -35,11 +37,11 @@ std::vector<Vec3> bight() {
 struct Hooked {
     explicit Hooked(double link_in_diameters) : link(link_in_diameters) {
         std::vector<Vec3> up = bight(), down = up;
-        for (Vec3& p : up) p.z() -= 0.5 * apart;
-        for (Vec3& p : down) p = {0, -p.x(), 0.5 * apart - p.z()};
+        for (Vec3& p : up) p.z() -= 0.5 * tips_apart;
+        for (Vec3& p : down) p = {0, -p.x(), 0.5 * tips_apart - p.z()};
         const std::vector<Vec3> between{up.back(), {2 * arm, 2 * arm, 0}, down.front()};
         add(up), add(between), add(down);
-        for (Vec3& p : nodes) p *= diameter;
+        for (Vec3& p : nodes) p *= default_diameter;
     }
 
     void add(const std::vector<Vec3>& path) {
@@ -61,14 +63,14 @@ class Drawing {
 
     Clasp draw() {
         constexpr int most_ticks = 2000, rest = 100;
-        constexpr double speed = 0.025 * diameter;  // in a tick
+        constexpr double speed = 0.025 * default_diameter;  // in a tick
         Clasp result{.excess = NAN, .tips = NAN, .gap = NAN};
         const auto tight = [&] { return pull() >= pull_strain; };
         for (int i = 0; i < most_ticks && !tight(); ++i) result.pass_throughs += move(speed);
         if (!tight()) return result;
         for (int i = 0; i < rest; ++i) result.pass_throughs += move(0);
-        result.excess = excess() / diameter;
-        result.tips = (tip(0) - tip(2)).norm() / diameter;
+        result.excess = excess() / default_diameter;
+        result.tips = (tip(0) - tip(2)).norm() / default_diameter;
         result.gap = Gauge(thread_).gap(thread_.nodes());
         return result;
     }

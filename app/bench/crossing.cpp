@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/bench/core.hpp"
+#include "app/bench/defaults.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/thread/thread.hpp"
 
@@ -17,13 +18,13 @@ using sim::thread::Thread;
 using sim::thread::Vec3;
 
 // Slopes stay below a twelfth: the elastica's tip then is lower by 0.3 % than the beam's (table D2).
-constexpr double diameter = 2 * sim::thread::ThreadDef{}.radius, lower = 100 * diameter, upper = 150 * diameter, overlap = 10 * diameter;
+constexpr double lower_arm = 100 * default_diameter, upper_arm = 150 * default_diameter, overlap = 10 * default_diameter;
 constexpr int beyond = 3;  // links that are free past the one that crosses
 
 // Along the thread: lower arm from its free end to its clamp at the origin, a piece that is held all along, upper arm from its clamp.
 struct Brackets {
-    explicit Brackets(const Crossing& crossing) : links(crossing.links), low(link(crossing, lower)), high(link(crossing, upper)) {
-        const Vec3 clamp(lower, -upper, diameter);
+    explicit Brackets(const Crossing& crossing) : links(crossing.links), low(link(crossing, lower_arm)), high(link(crossing, upper_arm)) {
+        const Vec3 clamp(lower_arm, -upper_arm, default_diameter);
         for (int i = links + beyond; i >= 0; --i) nodes.emplace_back((i - 0.5) * low, 0, 0);
         lower_clamp = static_cast<int>(nodes.size()) - 2;
         const Vec3 from = nodes.back(), to = clamp - 0.5 * high * Vec3::UnitY();
@@ -70,13 +71,12 @@ double force_at_clamp(const Thread& thread, const Brackets& brackets) {
     const int n = brackets.lower_clamp;
     const auto along = [&](int from) { return (node(thread, from + 1) - node(thread, from)).normalized(); };
     const double moment = RodDef{}.bending_stiffness() * (along(n) - along(n - 1)).norm() / brackets.low;
-    return moment / (lower - 0.5 * brackets.low);
+    return moment / (lower_arm - 0.5 * brackets.low);
 }
 
 }  // namespace
 
 Crossed cross(const Crossing& crossing, double seconds) {
-    constexpr double tick = 1e-3;
     constexpr int lowered_in = 200, rested_in = 700;
     const Brackets brackets(crossing);
     Thread thread({.friction = 0, .elastic = RodDef{.axial_over_bending = 0}}, brackets.nodes);
@@ -84,19 +84,19 @@ Crossed cross(const Crossing& crossing, double seconds) {
     const auto run = [&](int from, int to) {
         for (int t = from; t < to; ++t) {
             const std::vector<Hold> holds = brackets.holds(overlap * std::min(1.0, (t + 1.0) / lowered_in));
-            thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = tick});
+            thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = default_tick});
         }
     };
     run(0, rested_in);
     const auto pair = nearest(thread, brackets);
     const std::vector<Vec3> rested(thread.nodes().begin(), thread.nodes().end());
-    run(rested_in, rested_in + static_cast<int>(seconds / tick));
+    run(rested_in, rested_in + static_cast<int>(seconds / default_tick));
     double drift = 0;
     for (std::size_t i = 0; i < rested.size(); ++i) drift = std::max(drift, (thread.nodes()[i] - rested[i]).norm());
-    const double cubes = std::pow(lower, 3) + std::pow(upper, 3);
-    return {.lift = {pair.on_b.z() - (diameter - overlap), overlap * std::pow(upper, 3) / cubes},
+    const double cubes = std::pow(lower_arm, 3) + std::pow(upper_arm, 3);
+    return {.lift = {pair.on_b.z() - (default_diameter - overlap), overlap * std::pow(upper_arm, 3) / cubes},
         .force = {force_at_clamp(thread, brackets), 3 * RodDef{}.bending_stiffness() * overlap / cubes},
-        .apart = std::sqrt(pair.distance_squared) / diameter, .drift = drift / diameter};
+        .apart = std::sqrt(pair.distance_squared) / default_diameter, .drift = drift / default_diameter};
 }
 
 std::vector<Row> crossing_rows(bool quick) {

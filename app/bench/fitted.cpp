@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "app/bench/core.hpp"
+#include "app/bench/defaults.hpp"
 #include "app/bench/gauge.hpp"
 #include "app/bench/knots.hpp"
 #include "app/bench/loop.hpp"
@@ -17,8 +18,8 @@ namespace app::bench {
 
 namespace {
 
-constexpr double length = 0.15, step = 0.05e-3;  // [m], [m] that either hand is asked to go in a tick
-constexpr double diameter = 2 * ThreadDef{}.radius, long_link = 8 * diameter;
+constexpr double fitted_length = 0.15, hand_step = 0.05e-3;  // [m], [m] that either hand is asked to go in a tick
+constexpr double long_link = 8 * default_diameter;
 
 struct Tied {
     std::vector<double> tick_us;
@@ -46,7 +47,7 @@ void pull(Loop& loop, Tied& tied, std::vector<Vec3>& before) {
     if (changed)
         for (const Vec3& p : before) tied.moved = std::max(tied.moved, distance_to(p, thread.nodes()) / thread.def().radius);
     begin = processor_time();
-    const TickReport report = loop.pull_tails(step);
+    const TickReport report = loop.pull_tails(hand_step);
     spent += processor_time() - begin;
     tied.tick_us.push_back(1e6 * spent);
     tied.links_most = std::max(tied.links_most, thread.rest_lengths().size());
@@ -72,21 +73,21 @@ double takes_up(const Loop& loop) {
     for (int i = loop.held[0]; i < loop.held[1]; ++i)
         for (int j = loop.held[2]; j < loop.held[3]; ++j) {
             const auto pair = sim::geometry::closest_points(nodes[at(i)], nodes[at(i + 1)], nodes[at(j)], nodes[at(j + 1)]);
-            if (pair.distance_squared > 1.44 * diameter * diameter) continue;
+            if (pair.distance_squared > 1.44 * default_diameter * default_diameter) continue;
             middle += 0.5 * (pair.on_a + pair.on_b);
             ++touching;
         }
     double straight = 0;
     for (const int node : loop.held) straight += (nodes[at(node)] - middle / touching).norm();
-    return (between(loop.held[0], loop.held[1]) + between(loop.held[2], loop.held[3]) - straight) / diameter;
+    return (between(loop.held[0], loop.held[1]) + between(loop.held[2], loop.held[3]) - straight) / default_diameter;
 }
 
 Tied tie(double link, double shortest) {
     constexpr int patience = 200, most_ticks = 6000;
     // As loose as a rope would lie in it that is as thick as the long links are long.
     std::vector<Vec3> nodes =
-        loose_thread(looped(Knot::square, loop_depth), static_cast<int>(length / long_link), long_link, 0.5 * long_link).nodes;
-    nodes = sim::geometry::resample(nodes, static_cast<int>(std::lround(length / link)));
+        loose_thread(looped(Knot::square, loop_depth), static_cast<int>(fitted_length / long_link), long_link, 0.5 * long_link).nodes;
+    nodes = sim::geometry::resample(nodes, static_cast<int>(std::lround(fitted_length / link)));
     Loop loop({.shortest_link = shortest}, nodes);
     Tied tied;
     double was = (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm();
@@ -94,7 +95,7 @@ Tied tie(double link, double shortest) {
         pull(loop, tied, nodes);
         if (i % patience != 0) continue;
         const double now = (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm();
-        if (now < was + 0.01 * diameter) break;
+        if (now < was + 0.01 * default_diameter) break;
         was = now;
     }
     tied.takes_up = takes_up(loop);
@@ -109,7 +110,7 @@ void add_fitted(Suite& suite, const Progress& progress) {
         const char *id, *words;
         double link, shortest;
     };
-    const Case cases[] = {{"links-short", "D", diameter, 0}, {"links-long", "8 D", long_link, 0}, {"links-fitted", "8 D to D", long_link, diameter}};
+    const Case cases[] = {{"links-short", "D", default_diameter, 0}, {"links-long", "8 D", long_link, 0}, {"links-fitted", "8 D to D", long_link, default_diameter}};
     double short_p50 = 0;
     for (const Case& c : cases) {
         progress(std::string("150 mm into a square knot, links of ") + c.words);
@@ -135,7 +136,7 @@ void add_fitted(Suite& suite, const Progress& progress) {
             add("moved", "the curve moved by changing links", found.moved, "R").bound = 0.1;
             add("ratio", "median tick over that with links of D", p50 / short_p50, "ratio");
         }
-        if (c.link == diameter) short_p50 = p50;
+        if (c.link == default_diameter) short_p50 = p50;
     }
 }
 

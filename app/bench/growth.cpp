@@ -11,7 +11,7 @@ namespace app::bench {
 
 namespace {
 
-constexpr double link = 1e-3;  // [m], as long as the thread is thick
+constexpr double growth_link = 1e-3;  // [m], as long as the thread is thick
 
 /// A coil of thread whose ends are slowly drawn out.
 struct Lying {
@@ -24,10 +24,10 @@ const Lying lying[] = {{"loose", "turns ten diameters apart", 20, 10},  // touch
 
 // Median processor time of a tick [us].
 double cost_of(const Lying& how, int links) {
-    const std::vector<Vec3> start = coil(links, link, how.radius * link, how.pitch * link);
-    ThreadRope rope({.links = links, .length = links * link}, start);
+    const std::vector<Vec3> start = coil(links, growth_link, how.radius * growth_link, how.pitch * growth_link);
+    ThreadRope rope({.links = links, .length = links * growth_link}, start);
     constexpr int warm_up = 50, ticks = 250;
-    constexpr double step = 0.01 * link;  // a tick: 10 mm/s, a surgeon's median
+    constexpr double step = 0.01 * growth_link;  // a tick: 10 mm/s, a surgeon's median
     std::vector<double> us;
     for (int i = 1; i <= ticks; ++i) {
         const Vec3 out = i * step * Vec3::UnitX();

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/bench/core.hpp"
+#include "app/bench/defaults.hpp"
+#include "app/bench/words.hpp"
 #include "sim/geometry/triangle_tree.hpp"
 #include "sim/thread/thread.hpp"
 
@@ -15,8 +17,8 @@ using sim::thread::RodDef;
 using sim::thread::Thread;
 using sim::thread::Vec3;
 
-constexpr double diameter = 2 * sim::thread::ThreadDef{}.radius, gravity = 9.81;
-constexpr int links = 20;
+constexpr double gravity = 9.81;
+constexpr int incline_links = 20;
 
 // The plane goes down towards +x.
 struct Slope {
@@ -32,7 +34,7 @@ struct Slope {
 
     std::vector<Vec3> nodes() const {
         std::vector<Vec3> found;
-        for (int i = 0; i <= links; ++i) found.push_back(0.5 * diameter * up() + i * of.link * diameter * (of.across ? Vec3::UnitY() : down()));
+        for (int i = 0; i <= incline_links; ++i) found.push_back(0.5 * default_diameter * up() + i * of.link * default_diameter * (of.across ? Vec3::UnitY() : down()));
         return found;
     }
 
@@ -43,7 +45,7 @@ struct Slope {
     }
 
     void tick() { thread.tick({.holds = {}, .hold_owners = {}, .capsules = {}, .surface = &surface, .seconds = of.tick}); }
-    double middle() const { return thread.nodes()[links / 2].dot(down()); }  // how far down [m]
+    double middle() const { return thread.nodes()[incline_links / 2].dot(down()); }  // how far down [m]
 
     Incline of;
     Thread thread;
@@ -53,7 +55,7 @@ struct Slope {
 double moved(const Slope& slope, const std::vector<Vec3>& from) {
     double most = 0;
     for (std::size_t i = 0; i < from.size(); ++i) most = std::max(most, (slope.thread.nodes()[i] - from[i]).norm());
-    return most / diameter;
+    return most / default_diameter;
 }
 
 }  // namespace
@@ -85,8 +87,6 @@ double incline_drift(const Incline& incline, double seconds) {
     }
     return most;
 }
-
-static std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 static void add_rows(std::vector<Row>& rows, const Incline& on, double seconds) {
     const std::string id = "elastic-incline-mu" + whole(10 * on.friction) + "-link" + whole(on.link) + "-tick" + whole(1000 * on.tick) + (on.across ? "-across" : "");

@@ -12,9 +12,9 @@ namespace {
 
 using Map = std::function<Vec3(const Vec3&)>;
 
-constexpr int ticks = 400;  // of 0.02 mm at either end: an overhand of 120 links is tight after some 250
+constexpr int pull_ticks = 400;  // of 0.02 mm at either end: an overhand of 120 links is tight after some 250
 constexpr int while_loose = 75;
-constexpr double step = 0.02e-3;  // [m]
+constexpr double pull_step = 0.02e-3;  // [m]
 
 // What becomes of a thread before it is pulled, and how its nodes are to be read afterwards.
 struct Image {
@@ -31,13 +31,13 @@ using Path = std::vector<std::vector<Vec3>>;
 Path pulled(const Image& image) {
     const double radius = ThreadDef{}.radius;
     std::vector<Vec3> nodes = loose_thread(Knot::trefoil, 120, 2 * radius, radius).nodes;
-    const Vec3 on = image.map(step * (nodes.back() - nodes.front()).normalized());
+    const Vec3 on = image.map(pull_step * (nodes.back() - nodes.front()).normalized());
     for (Vec3& p : nodes) p = image.map(p);
     if (image.reversed) std::reverse(nodes.begin(), nodes.end());
     Thread thread({.radius = image.scale * radius}, nodes);
     Hands hands(thread);
     Path path;
-    for (int i = 1; i <= ticks; ++i) {
+    for (int i = 1; i <= pull_ticks; ++i) {
         hands.move(thread, image.reversed ? on : Vec3(-on), image.reversed ? Vec3(-on) : on);
         path.emplace_back(thread.nodes().begin(), thread.nodes().end());
         if (image.reversed) std::reverse(path.back().begin(), path.back().end());
@@ -89,7 +89,7 @@ std::vector<Row> invariance_rows(bool) {
             image, while_loose), .unit = "D",
                         .bound = image.path_bound, .error = {}, .seconds = watch.seconds()});
         rows.push_back({.id = id + "-path", .what = what + "farthest nodes at any time", .value = farthest(plain, path, image,
-            ticks), .unit = "D", .bound = {}, .error = {}});
+            pull_ticks), .unit = "D", .bound = {}, .error = {}});
         // What rounding decides in a jam is which strand gives first, not how much thread the knot takes up.
         const double difference = std::abs(distance_of_ends(plain, 1) - distance_of_ends(path, image.scale));
         rows.push_back({.id = id + "-end", .what = what + "difference in what the tight knot takes up", .value = difference,

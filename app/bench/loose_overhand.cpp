@@ -15,18 +15,20 @@ using sim::thread::Hold;
 using sim::thread::Thread;
 using sim::thread::Vec3;
 
-constexpr double pi = std::numbers::pi, radius = 0.5e-3;              // [m]
-constexpr double first_loop = 1.1, tail = 6;                           // of R: the loop to begin with, and of that how far it is to either end
-constexpr double within = 0.02;                                        // of what it takes up in the end: where it is measured
+using std::numbers::pi;
+
+constexpr double loose_radius = 0.5e-3;  // [m]
+constexpr double first_loop = 1.1, loose_tail = 6;  // of R: the loop to begin with, and of that how far it is to either end
+constexpr double within = 0.02;  // of what it takes up in the end: where it is measured
 
 // A circle that rests on the x axis with its strands twisted about each other there, as far to either side as leaves them apart and
 // turns no link by more than a radian: strands that overlapped would be pushed through each other.
 std::vector<Vec3> start_shape(const LooseOverhand& knot) {
-    const double loop = first_loop * knot.loop * radius, link = 2 * pi * knot.loop * radius / knot.links, twist = knot.half_turns * pi;
-    const double clear = (knot.half_turns > 3 ? 2.2 : 2.1) * radius, span = std::max(std::sqrt(2 * loop * clear), 0.5 * twist * link);
+    const double loop = first_loop * knot.loop * loose_radius, link = 2 * pi * knot.loop * loose_radius / knot.links, twist = knot.half_turns * pi;
+    const double clear = (knot.half_turns > 3 ? 2.2 : 2.1) * loose_radius, span = std::max(std::sqrt(2 * loop * clear), 0.5 * twist * link);
     const double lift = loop - std::sqrt(loop * loop - span * span), lifted = std::asin(span / loop);
     constexpr int fine = 4000;
-    std::vector<Vec3> path{{-tail * loop, 0, 0}};
+    std::vector<Vec3> path{{-loose_tail * loop, 0, 0}};
     const auto twisted = [&](double from) {
         for (int i = 0; i <= fine; ++i) {
             const double u = static_cast<double>(i) / fine, angle = from + u * twist;
@@ -39,25 +41,25 @@ std::vector<Vec3> start_shape(const LooseOverhand& knot) {
         path.emplace_back(loop * std::sin(angle), loop * (1 - std::cos(angle)), 0);
     }
     twisted(pi / 2);
-    path.emplace_back(tail * loop, 0, 0);
+    path.emplace_back(loose_tail * loop, 0, 0);
     return path;
 }
 
 // So heavy that its own bending moves a loop by about the thread's radius in a millisecond: strands do not leap off each other's corners.
 sim::thread::RodDef material(double loop) {
     constexpr double tick = 1e-3;
-    sim::thread::RodDef def{.radius = radius, .young = 1e9, .density = 1};
-    def.density = def.bending_stiffness() * tick * tick / (radius * loop * loop * loop) / def.mass_per_length();
+    sim::thread::RodDef def{.radius = loose_radius, .young = 1e9, .density = 1};
+    def.density = def.bending_stiffness() * tick * tick / (loose_radius * loop * loop * loop) / def.mass_per_length();
     return def;
 }
 
 Thread thread_of(const LooseOverhand& knot) {
-    const double loop = knot.loop * radius;
+    const double loop = knot.loop * loose_radius;
     const auto path = start_shape(knot);
     double length = 0;
     for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
     const int links = static_cast<int>(std::lround(length / (2 * pi * loop) * knot.links));
-    sim::thread::ThreadDef def{.radius = radius, .friction = knot.friction, .axial_stiffness = material(loop).axial_stiffness(length / links)};
+    sim::thread::ThreadDef def{.radius = loose_radius, .friction = knot.friction, .axial_stiffness = material(loop).axial_stiffness(length / links)};
     if (knot.elastic) def.elastic = material(loop);
     return {def, sim::geometry::resample(path, links)};
 }
@@ -65,7 +67,7 @@ Thread thread_of(const LooseOverhand& knot) {
 class Drawing {
   public:
     Drawing(const LooseOverhand& knot, Cost& cost)
-        : loop_(knot.loop * radius), tick_(knot.tick), cost_(cost), thread_(thread_of(knot)), last_(static_cast<int>(thread_.nodes().size()) - 1), was_(middle()) {
+        : loop_(knot.loop * loose_radius), tick_(knot.tick), cost_(cost), thread_(thread_of(knot)), last_(static_cast<int>(thread_.nodes().size()) - 1), was_(middle()) {
         for (const double link : thread_.rest_lengths()) length_ += link;
         cost_.links = last_;
     }
@@ -80,7 +82,7 @@ class Drawing {
             move(speed * tick_);
             if (std::abs(taken_up() / ring - 1) < within) pulls += pull(), ++count;
         }
-        return pulls / count * radius * radius / bending_stiffness();
+        return pulls / count * loose_radius * loose_radius / bending_stiffness();
     }
 
   private:

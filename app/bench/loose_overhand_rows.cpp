@@ -3,12 +3,11 @@
 
 #include "app/bench/core.hpp"
 #include "app/bench/loose_overhand.hpp"
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
 namespace {
-
-std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 std::string id_of(const LooseOverhand& knot) {
     return (knot.half_turns > 3 ? "double" : "loose") + ("-overhand-" + whole(knot.loop)) + "-mu" + whole(10 * knot.friction) + "-n" + whole(knot.links);

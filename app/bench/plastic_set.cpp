@@ -8,7 +8,9 @@
 
 #include "app/bench/bends.hpp"
 #include "app/bench/core.hpp"
+#include "app/bench/defaults.hpp"
 #include "app/bench/shape.hpp"
+#include "app/bench/words.hpp"
 #include "sim/thread/rod.hpp"
 
 namespace app::bench {
@@ -19,8 +21,6 @@ using sim::thread::Hold;
 using sim::thread::Rod;
 using sim::thread::RodDef;
 using sim::thread::Thread;
-
-constexpr double radius = sim::thread::ThreadDef{}.radius, diameter = 2 * radius;
 
 // Moment of a round section bent to `times` the curvature at which its outermost fibres yield, over the moment there: half of its height
 // out to r sin(elastic) is elastic, the rest carries what it yields at.
@@ -51,16 +51,16 @@ double knotted(std::span<const Vec3> x) {
     for (std::size_t i = 1; i < x.size(); ++i) at.push_back(along += (x[i] - x[i - 1]).norm());
     for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t j = i + 1; j < x.size(); ++j) {
-            if (at[j] - at[i] < strand * diameter || (x[j] - x[i]).norm() > touching * diameter) continue;
+            if (at[j] - at[i] < strand * default_diameter || (x[j] - x[i]).norm() > touching * default_diameter) continue;
             if (first < 0) first = at[i];
             last = std::max(last, at[j]);
         }
-    return first < 0 ? 0 : (last - first) / diameter;
+    return first < 0 ? 0 : (last - first) / default_diameter;
 }
 
 struct Overhand {
     explicit Overhand(double yield_strain)
-        : rod{.axial_over_bending = 0, .yield_strain = yield_strain}, thread({.friction = 0.3, .elastic = rod}, overhand(links, links * diameter)) {}
+        : rod{.axial_over_bending = 0, .yield_strain = yield_strain}, thread({.friction = 0.3, .elastic = rod}, overhand(links, links * default_diameter)) {}
 
     double pulled() const { return thread.tension()[1]; }
 
@@ -89,9 +89,9 @@ struct Overhand {
 
 Compared springback(double diameters, double yield_strain) {
     constexpr int links = 20;
-    constexpr double link = 0.25 * diameter;
+    constexpr double link = 0.25 * default_diameter;
     Rod rod({.density = 0, .yield_strain = yield_strain}, straight(links, link));
-    const std::vector<Vec3> round = arc(links, link, diameters * diameter);
+    const std::vector<Vec3> round = arc(links, link, diameters * default_diameter);
     std::vector<Hold> laid;
     for (int i = 0; i <= links; ++i) laid.push_back({i, round[static_cast<std::size_t>(i)]});
     rod.step({laid}, 0);
@@ -100,24 +100,22 @@ Compared springback(double diameters, double yield_strain) {
     const std::span<const Vec3> x = rod.nodes();
     double bend = 0;
     for (std::size_t i = 1; i < links; ++i) bend += ((x[i + 1] - x[i]).normalized() - (x[i] - x[i - 1]).normalized()).norm();
-    const double yields = yield_strain / radius, bent = 1 / (diameters * diameter);
-    return {diameter * bend / ((links - 1) * link), diameter * (bent - yields * moment(bent / yields))};
+    const double yields = yield_strain / default_radius, bent = 1 / (diameters * default_diameter);
+    return {default_diameter * bend / ((links - 1) * link), default_diameter * (bent - yields * moment(bent / yields))};
 }
 
 LetGoOverhand let_go_overhand(double pull, double yield_strain) {
     constexpr double step = 0.05;  // [D] in a tick
     constexpr int most_ticks = 4000, ramp = 500, free = 1000;
     Overhand knot(yield_strain);
-    const double force = pull * knot.rod.bending_stiffness() / (diameter * diameter);
-    for (int t = 0; t < most_ticks && knot.pulled() < force; ++t) knot.draw(step * diameter);
+    const double force = pull * knot.rod.bending_stiffness() / (default_diameter * default_diameter);
+    for (int t = 0; t < most_ticks && knot.pulled() < force; ++t) knot.draw(step * default_diameter);
     const double tight = knotted(knot.thread.nodes());
     for (int t = 1; t <= ramp + free; ++t) knot.load(force * std::max(0.0, 1 - static_cast<double>(t) / ramp));
     return {tight, knotted(knot.thread.nodes()), knot.pass_throughs};
 }
 
 namespace {
-
-std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 struct Table {
     std::vector<Row> rows;

@@ -4,22 +4,18 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/bench/words.hpp"
+
 namespace app::bench {
 
 namespace {
 
 // Pixels: the room around a chart's plot for figures and titles, and the plot, twice as large where it is the only one.
-constexpr double left = 85, bottom = 50, gap = 15;
+constexpr double left_room = 85, bottom_room = 50, room_between = 15;
 struct Plot {
     double width, height, top;  // names of series go above the top
 };
 constexpr const char* colours[] = {"#1b6ca8", "#c2571a", "#3a7d44", "#7a4fa3", "#a3293d", "#5b5b5b"};
-
-std::string figure(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 std::string px(double value) {
     char text[32];
@@ -141,13 +137,13 @@ std::string svg(const std::vector<Chart>& charts) {
     for (const Chart& chart : charts) names = std::max(names, chart.series.size());
     const double large = charts.size() == 1 ? 2 : 1;
     const Plot plot{260 * large, 220 * large, 7 + 13 * static_cast<double>(names)};
-    const double pitch = left + plot.width + gap;
-    const std::string size = "width=\"" + px(pitch * static_cast<double>(charts.size()) + gap) + "\" height=\"" +
-                             px(plot.top + plot.height + bottom) + "\"";
+    const double pitch = left_room + plot.width + room_between;
+    const std::string size = "width=\"" + px(pitch * static_cast<double>(charts.size()) + room_between) + "\" height=\"" +
+                             px(plot.top + plot.height + bottom_room) + "\"";
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size +
                       " font-family=\"sans-serif\" font-size=\"12\" fill=\"#333\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-    for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left + pitch * static_cast<double>(i), plot).drawn();
+    for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left_room + pitch * static_cast<double>(i), plot).drawn();
     return out + "</svg>\n";
 }
 

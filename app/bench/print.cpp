@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
 namespace {
-
-std::string figure(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 constexpr std::size_t columns = 7;
 using Line = std::array<std::string, columns>;

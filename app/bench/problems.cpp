@@ -55,7 +55,7 @@ Compared square_over_granny(double friction, const Setting& s, Cost& cost) {
 }  // namespace
 
 std::vector<Problem> problems() {
-    constexpr double pi = std::numbers::pi;
+    using std::numbers::pi;
     const std::string lengths = "length in D", count = "number", round = "number round the loop";
     const std::string slips = ": ratio of forces at which they slip";
     const std::vector ticks{4e-3, 1e-3, 0.25e-3}, two_ticks{4e-3, 1e-3};

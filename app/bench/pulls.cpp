@@ -56,7 +56,7 @@ struct Words {
     double scale = 1;  ///< From the figure to the unit.
 };
 
-const std::map<std::string, Words> words{
+const std::map<std::string, Words> words_of_figures{
     {"tick-p50", {"median tick", "us"}},
     {"tick-p99", {"tick, 99 of 100", "us"}},
     {"tick-max", {"longest tick", "us"}},
@@ -109,7 +109,7 @@ class Table {
             if (!whose.empty() && value == &PullFigures::pass_throughs) continue;  // peers do not look out for them
             std::vector<double> values;
             for (const PullFigures& run : runs) values.push_back(run.*value);
-            Words how = words.at(id);
+            Words how = words_of_figures.at(id);
             if (!whose.empty()) how.what = whose.substr(0, whose.size() - 1) + ", " + how.what;
             add(whose, id, how, values);
         }

@@ -15,34 +15,35 @@ namespace {
 using sim::thread::Rod;
 using sim::thread::Vec3;
 
-constexpr double pi = std::numbers::pi;
-constexpr double diameter = 1e-3, cylinder = 5 * diameter, out = cylinder + 0.5 * diameter;  // [m]; `out` is where nodes lie
-constexpr double load = 0.1;                                                                 // [N]
-constexpr double pitch = 0.6 * out;  // of a turn: turns beside each other never meet
+using std::numbers::pi;
+
+constexpr double rod_diameter = 1e-3, rod_cylinder = 5 * rod_diameter, rod_out = rod_cylinder + 0.5 * rod_diameter;  // [m]; `out` is where nodes lie
+constexpr double rod_load = 0.1;  // [N]
+constexpr double rod_pitch = 0.6 * rod_out;  // of a turn: turns beside each other never meet
 constexpr double inextensible = 1e-4, as_suture = 1e-3;  // stretched by the load by so much
-constexpr int tail = 30;             // links that are off the cylinder at either end
+constexpr int rod_tail = 30;  // links that are off the cylinder at either end
 
 // `strain`: what the load stretches it by.
 struct Wound {
     Wound(double friction, double wrap, double turn, double strain) : along{tangent(-wrap / 2), tangent(wrap / 2)} {
         const int arc = static_cast<int>(std::lround(wrap / turn));
-        for (int i = -tail; i <= arc + tail; ++i) {
+        for (int i = -rod_tail; i <= arc + rod_tail; ++i) {
             const int on = std::clamp(i, 0, arc), off = i - on;
-            nodes.push_back(at((on - 0.5 * arc) * turn) + off * out * turn * along[off > 0]);
+            nodes.push_back(at((on - 0.5 * arc) * turn) + off * rod_out * turn * along[off > 0]);
         }
         // Its stiffness against bending changes the ratio by a ten-thousandth.
-        const double young = load / strain / (pi * diameter * diameter / 4), bending = 1e-4 * load * out * out;
-        def = {.radius = 0.5 * diameter, .young = young, .bending_share = 64 * bending / (pi * std::pow(diameter, 4)) / young, .friction = friction, .density = 1000, .axial_over_bending = 0};
+        const double young = rod_load / strain / (pi * rod_diameter * rod_diameter / 4), bending = 1e-4 * rod_load * rod_out * rod_out;
+        def = {.radius = 0.5 * rod_diameter, .young = young, .bending_share = 64 * bending / (pi * std::pow(rod_diameter, 4)) / young, .friction = friction, .density = 1000, .axial_over_bending = 0};
     }
 
-    static Vec3 at(double angle) { return {out * std::sin(angle), pitch * angle / (2 * pi), out * std::cos(angle)}; }
-    static Vec3 tangent(double angle) { return Vec3(std::cos(angle), pitch / (2 * pi * out), -std::sin(angle)).normalized(); }
+    static Vec3 at(double angle) { return {rod_out * std::sin(angle), rod_pitch * angle / (2 * pi), rod_out * std::cos(angle)}; }
+    static Vec3 tangent(double angle) { return Vec3(std::cos(angle), rod_pitch / (2 * pi * rod_out), -std::sin(angle)).normalized(); }
     int last() const { return static_cast<int>(nodes.size()) - 1; }
 
     std::array<Vec3, 2> along;
     std::vector<Vec3> nodes;
     sim::thread::RodDef def;
-    const sim::geometry::Capsule body{{0, -1, 0}, {0, 1, 0}, cylinder};
+    const sim::geometry::Capsule body{{0, -1, 0}, {0, 1, 0}, rod_cylinder};
     const sim::thread::MovingCapsule bodies[1] = {{body, body, 0}};
 };
 
@@ -63,8 +64,8 @@ double capstan_of_nodes(double friction, double wrap, double turn) {
 template <class Moving, class Pull>
 static Compared slide(const Wound& wound, double friction, double wrap, double tick, const Moving& thread, const Pull& pull) {
     std::vector<Vec3> loads(wound.nodes.size(), Vec3::Zero());
-    loads[0] = -load * wound.along[0];
-    constexpr double speed = 0.01, way = 10 * diameter;  // slides over the second half of it
+    loads[0] = -rod_load * wound.along[0];
+    constexpr double speed = 0.01, way = 10 * rod_diameter;  // slides over the second half of it
     const int ticks = static_cast<int>(way / (speed * tick));
     double sum = 0;
     int count = 0;
@@ -103,13 +104,13 @@ static double slides(const Wound& wound, double most, const Moving& thread, cons
     Vec3 start = Vec3::Zero();
     for (int t = 0; t < ticks; ++t) {
         std::vector<Vec3> loads(wound.nodes.size(), Vec3::Zero());
-        loads.front() = -load * wound.along[0];
-        loads.back() = load * (1 + std::min(1.0, static_cast<double>(t) / ramp) * (most - 1)) * wound.along[1];
+        loads.front() = -rod_load * wound.along[0];
+        loads.back() = rod_load * (1 + std::min(1.0, static_cast<double>(t) / ramp) * (most - 1)) * wound.along[1];
         pull({}, loads);
         if (t == settle) start = thread.nodes()[middle];
-        if (t > settle && (thread.nodes()[middle] - start).norm() > diameter) break;
+        if (t > settle && (thread.nodes()[middle] - start).norm() > rod_diameter) break;
     }
-    return (thread.nodes()[middle] - start).norm() / diameter;
+    return (thread.nodes()[middle] - start).norm() / rod_diameter;
 }
 
 double rod_slides(double friction, double wrap, double turn, double share) {

@@ -15,7 +15,7 @@ using sim::thread::Rod;
 using sim::thread::RodDef;
 using sim::thread::Vec3;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Bending stiffness 1, of links of length 1 over `links` so stiff that they stretch by a millionth of what they bend.
 RodDef unit_rod(double poisson = 0.3, double slender = 1e-3) {

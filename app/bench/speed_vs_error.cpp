@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/bench/plot.hpp"
 #include "app/bench/problems.hpp"
 #include "app/bench/speed.hpp"
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
 namespace {
-
-std::string digits(double value) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
 
 std::string name_of(bool elastic) { return elastic ? "elastic" : "ftl"; }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/bench/defaults.hpp"
 #include "app/bench/hands.hpp"
 #include "app/bench/laws.hpp"
 #include "app/bench/loop.hpp"
@@ -10,9 +11,7 @@ namespace app::bench {
 
 namespace {
 
-constexpr double tick = 1e-3;             // [s]
-constexpr double step = 0.02e-3;          // [m] a tick, 20 mm/s: asked of each hand for ever
-constexpr double diameter = 2 * ThreadDef{}.radius;
+constexpr double asked_step = 0.02e-3;  // [m] a tick, 20 mm/s: asked of each hand for ever
 
 std::string name_of(const Thread& thread) { return sim::knot::name_knot({thread.nodes().begin(), thread.nodes().end()}).knot; }
 
@@ -20,14 +19,14 @@ std::string name_of(const Thread& thread) { return sim::knot::name_knot({thread.
 
 Held hold_knot(Knot knot, double friction, double seconds) {
     constexpr int tying = 1000;
-    Loop loop({.friction = friction}, loose_thread(looped(knot, loop_depth), 60, diameter, 0.5 * diameter).nodes);
+    Loop loop({.friction = friction}, loose_thread(looped(knot, loop_depth), 60, default_diameter, 0.5 * default_diameter).nodes);
     Held held;
-    for (int i = 0; i < tying; ++i) held.pass_throughs += loop.pull_tails(step).pass_throughs;
-    const int ticks = static_cast<int>(seconds / tick);
+    for (int i = 0; i < tying; ++i) held.pass_throughs += loop.pull_tails(asked_step).pass_throughs;
+    const int ticks = static_cast<int>(seconds / default_tick);
     const double start = loop.apart();
     double settled = start;
     for (int i = 0; i < ticks; ++i) {
-        held.pass_throughs += loop.pull_sides(step).pass_throughs;
+        held.pass_throughs += loop.pull_sides(asked_step).pass_throughs;
         if (i == ticks / 10) settled = loop.apart();
     }
     held.slip = loop.apart() - settled;
@@ -42,7 +41,7 @@ static int end_of_knot(const Thread& thread) {
     constexpr std::size_t neighbours = 4;
     for (std::size_t i = nodes.size(); i-- > neighbours;)
         for (std::size_t j = 0; j + neighbours < i; ++j)
-            if ((nodes[i] - nodes[j]).norm() < 1.3 * diameter) return static_cast<int>(i);
+            if ((nodes[i] - nodes[j]).norm() < 1.3 * default_diameter) return static_cast<int>(i);
     return 0;
 }
 
@@ -50,7 +49,7 @@ static int end_of_knot(const Thread& thread) {
 Opened open_knot(double friction) {
     constexpr int most_ticks = 2000, tail = 4, in_the_knot = 6;
     const ThreadDef def{.friction = friction};
-    Thread uncut(def, loose_thread(Knot::trefoil, 50, diameter, 0.5 * diameter).nodes);
+    Thread uncut(def, loose_thread(Knot::trefoil, 50, default_diameter, 0.5 * default_diameter).nodes);
     Apart pull(uncut);
     Opened opened;
     tighten(uncut, pull, 0.05, most_ticks, [&](const TickReport& report) { opened.pass_throughs += report.pass_throughs; });
@@ -60,7 +59,7 @@ Opened open_knot(double friction) {
     Hands hands(thread);
     hands.grasp(thread, 1, end - in_the_knot);
     for (int i = 0; i < most_ticks && !opened.open; ++i) {
-        opened.pass_throughs += hands.move(thread, -0.5 * step * pull.away, step * pull.away.unitOrthogonal()).pass_throughs;
+        opened.pass_throughs += hands.move(thread, -0.5 * asked_step * pull.away, asked_step * pull.away.unitOrthogonal()).pass_throughs;
         opened.open = i % 50 == 49 && name_of(thread) == "0_1";
     }
     return opened;

@@ -14,29 +14,31 @@ namespace {
 using sim::thread::Hold;
 using sim::thread::Vec3;
 
-constexpr double pi = std::numbers::pi, diameter = 1e-3, link = 0.5 * diameter, friction = 0.2;  // [m]
-constexpr double load = 0.1;                                                                     // [N]
-constexpr int bar = 40, lead = 240, tail = 260;  // links: of the strand that is held, from a hand to the half turn, and from there to the load
+using std::numbers::pi;
+
+constexpr double strand_diameter = 1e-3, strand_link = 0.5 * strand_diameter, strand_friction = 0.2;  // [m]
+constexpr double strand_load = 0.1;  // [N]
+constexpr int bar_links = 40, lead_links = 240, tail_links = 260;  // links: of the strand that is held, from a hand to the half turn, and from there to the load
 
 struct Hung {
     // The bar along y, slack far from all, and down from the hand to the half turn round the bar, and up again.
     Hung() {
-        const double d = diameter, out = diameter;
+        const double d = strand_diameter, out = strand_diameter;
         straight({0, -10 * d, 0}, {0, 10 * d, 0});
         straight({0, 10 * d, 0}, {0, 80 * d, 0});
         straight({0, 80 * d, 0}, {-40 * d, 80 * d, 0});
         straight({-40 * d, 80 * d, 0}, {-40 * d, 80 * d, 120 * d});
-        straight({-40 * d, 80 * d, 120 * d}, {-out, 0, lead * link});
+        straight({-40 * d, 80 * d, 120 * d}, {-out, 0, lead_links * strand_link});
         hand = static_cast<int>(nodes.size());
-        straight({-out, 0, lead * link}, {-out, 0, 0});
-        const int arc = static_cast<int>(std::lround(pi * out / link));
+        straight({-out, 0, lead_links * strand_link}, {-out, 0, 0});
+        const int arc = static_cast<int>(std::lround(pi * out / strand_link));
         for (int i = 0; i <= arc; ++i) nodes.push_back(out * Vec3(-std::cos(pi * i / arc), 0, -std::sin(pi * i / arc)));
-        for (int i = 1; i <= tail; ++i) nodes.emplace_back(out, 0, i * link);
+        for (int i = 1; i <= tail_links; ++i) nodes.emplace_back(out, 0, i * strand_link);
     }
 
     // All but its end.
     void straight(const Vec3& from, const Vec3& to) {
-        const int count = static_cast<int>(std::lround((to - from).norm() / link));
+        const int count = static_cast<int>(std::lround((to - from).norm() / strand_link));
         for (int i = 0; i < count; ++i) nodes.push_back(from + (to - from) * i / count);
     }
 
@@ -46,23 +48,23 @@ struct Hung {
 
 sim::thread::Thread thread_of(const Hung& hung) {
     constexpr double strain = 1e-3, limp = 1e-3;  // stretched so much by the load; of the bending stiffness
-    const double young = load / strain / (pi * diameter * diameter / 4);
-    return {{.radius = 0.5 * diameter, .friction = friction,
-                .elastic = sim::thread::RodDef{.radius = 0.5 * diameter, .young = young, .bending_share = limp, .friction = friction, .density = 1000, .axial_over_bending = 0}},
+    const double young = strand_load / strain / (pi * strand_diameter * strand_diameter / 4);
+    return {{.radius = 0.5 * strand_diameter, .friction = strand_friction,
+                .elastic = sim::thread::RodDef{.radius = 0.5 * strand_diameter, .young = young, .bending_share = limp, .friction = strand_friction, .density = 1000, .axial_over_bending = 0}},
         hung.nodes};
 }
 
 double friction_found(double speed, double tick) {
-    constexpr double way = 20 * diameter;  // slides over the second half of it
+    constexpr double way = 20 * strand_diameter;  // slides over the second half of it
     const Hung hung;
     auto thread = thread_of(hung);
     std::vector<Hold> holds;
-    for (int i = 0; i <= bar; ++i) holds.push_back({i, hung.nodes[static_cast<std::size_t>(i)]});
+    for (int i = 0; i <= bar_links; ++i) holds.push_back({i, hung.nodes[static_cast<std::size_t>(i)]});
     holds.push_back({hung.hand, Vec3::Zero()});
     std::vector<int> owners(holds.size(), 0);
     owners.back() = 1;
     std::vector<Vec3> loads(hung.nodes.size(), Vec3::Zero());
-    loads.back() = load * Vec3::UnitZ();
+    loads.back() = strand_load * Vec3::UnitZ();
     const auto hand = static_cast<std::size_t>(hung.hand);
     const int ticks = static_cast<int>(way / (speed * tick));
     double sum = 0;
@@ -85,7 +87,7 @@ std::vector<Row> strand_capstan_rows(bool quick) {
             const std::string us = std::to_string(std::lround(1e6 * tick)), mm = std::to_string(std::lround(1000 * speed));
             rows.push_back({.id = "strand-capstan-" + mm + "-tick" + us,
                 .what = "elastic thread hung over a strand by half a turn, friction 0.2, drawn at " + mm + " mm/s, 1 mm thick, ticks of " + us + " us: friction that it slides by, off",
-                .value = 100 * std::abs(found / friction - 1), .unit = "%", .bound = 10, .error = {}, .seconds = processor_time() - begin});
+                .value = 100 * std::abs(found / strand_friction - 1), .unit = "%", .bound = 10, .error = {}, .seconds = processor_time() - begin});
         }
     return rows;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/bench/defaults.hpp"
 #include "app/bench/hands.hpp"
 #include "app/bench/random.hpp"
 #include "sim/geometry/portable_math.hpp"
@@ -12,8 +13,6 @@
 namespace app::bench {
 
 namespace {
-
-constexpr double tick = 1e-3;  // [s]
 
 // 0.01 to 2 m/s, every doubling as likely as every other.
 double draw_speed(Random& random) {
@@ -63,11 +62,11 @@ struct Play {
 
     // A hand's way in this tick [m]: on, and round a little circle or ellipse, the hands half a turn apart.
     Vec3 way(int hand, double on) const {
-        const double turn = std::remainder(2 * std::numbers::pi * (tie.wobble_hz * tick * tied.ticks + 0.5 * hand),
+        const double turn = std::remainder(2 * std::numbers::pi * (tie.wobble_hz * default_tick * tied.ticks + 0.5 * hand),
             2 * std::numbers::pi);
         const auto wave = sim::geometry::portable_sin_cos(turn);
         const Vec3 sideways = wave.cos * across + wave.sin * pull.away.cross(across);
-        return tie.speed * tick * ((hand == 0 ? -on : on) * pull.away + tie.wobble * sideways);
+        return tie.speed * default_tick * ((hand == 0 ? -on : on) * pull.away + tie.wobble * sideways);
     }
 
     void move(double on) {
@@ -80,7 +79,7 @@ struct Play {
     // tail: farther it could draw the free end out of the knot, which then is untied and rightly so.
     void let_go_and_regrasp() {
         pull.hands.let_go(tie.let_go);
-        const double may_go = 0.5 * tail * thread.rest_lengths()[0], step = tie.speed * tick * tie.wobble;
+        const double may_go = 0.5 * tail * thread.rest_lengths()[0], step = tie.speed * default_tick * tie.wobble;
         for (int i = 0; i < tie.pause && i * step < may_go; ++i) move(0);
         const int in = static_cast<int>(tie.regrasp_in * tail), last = static_cast<int>(thread.nodes().size()) - 1;
         pull.hands.grasp(thread, tie.let_go, tie.let_go == 0 ? in : last - in);
@@ -99,7 +98,7 @@ struct Play {
     // tick: tight, and then beyond.
     void pull_until(double slack_left, int most_ticks) {
         constexpr int beyond = 16;
-        const double little = 0.033 * beyond * std::min(2 * tie.speed * tick, 2 * thread.def().radius);
+        const double little = 0.033 * beyond * std::min(2 * tie.speed * default_tick, 2 * thread.def().radius);
         double was = apart();
         for (int i = 1; i <= most_ticks && left() > slack_left; ++i) {
             move(1);

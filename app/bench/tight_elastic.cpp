@@ -17,7 +17,7 @@ using sim::thread::Hold;
 using sim::thread::Thread;
 using sim::thread::ThreadDef;
 
-constexpr double length = 100, pull_strain = 0.01;  // [D], [1]
+constexpr double knotted_length = 100, tight_strain = 0.01;  // [D], [1]
 
 // Bent about a strand of its own it pulls back with less than a hundredth of what pulls it tight: B / R^2 at R of a diameter against
 // `pull_strain` of EA.
@@ -48,8 +48,8 @@ TightElastic tight_elastic(double link_in_diameters, double friction, double tic
     constexpr double rest = 0.1, longest = 2, speed = 25;  // [s], [s], [D] in a second
     const ThreadDef def = limp(friction);
     const double diameter = 2 * def.radius, link = link_in_diameters * diameter;
-    Thread thread(def, overhand(static_cast<int>(length / link_in_diameters), length * diameter));
-    const double tight = pull_strain * def.elastic->axial_stiffness(link);
+    Thread thread(def, overhand(static_cast<int>(knotted_length / link_in_diameters), knotted_length * diameter));
+    const double tight = tight_strain * def.elastic->axial_stiffness(link);
     const auto pull = [&] { return std::min(thread.tension()[1], thread.tension()[thread.tension().size() - 2]); };
     TightElastic result{.in_the_end = NAN};
     result.cost.links = static_cast<int>(thread.rest_lengths().size());

@@ -9,14 +9,13 @@
 #include "app/bench/needle_drive.hpp"
 #include "app/bench/tissue_cases.hpp"
 #include "app/bench/tissue_pull.hpp"
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
 namespace {
 
 constexpr double shipped_bound = 5, refined_bound = 2;  // of a radius and of a force [%]
-
-std::string whole(double value) { return std::to_string(std::lround(value)); }
 
 // Measures, and says how long that took.
 template <class Measure>

@@ -1,25 +1,19 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "app/bench/plot.hpp"
 #include "app/bench/shape.hpp"
 #include "app/bench/speed.hpp"
 #include "app/bench/stopwatch.hpp"
 #include "app/bench/thread_rope.hpp"
+#include "app/bench/words.hpp"
 
 namespace app::bench {
 
 namespace {
 
-constexpr double length = 1, diameter = 5e-3, speed = 0.1;  // [m], [m], [m/s]
-constexpr double links_long[] = {0.5, 1, 2};                // [diameters]
+constexpr double sample_length = 1, sample_diameter = 5e-3, sample_speed = 0.1;  // [m], [m], [m/s]
+constexpr double links_long[] = {0.5, 1, 2};  // [diameters]
 constexpr double ticks_ms[] = {0.25, 1, 4};
-
-std::string digits(double value) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
 
 // "ftl-link05-tick025": a link half a diameter long, a tick of 0.25 ms.
 std::string id_of(double link, double tick_ms) {
@@ -33,8 +27,8 @@ std::string words_of(double link, double tick_ms) {
 }
 
 PullFigures pull_with(double link, double tick_ms) {
-    const int links = static_cast<int>(length / (link * diameter) + 0.5);
-    const PullDef def{.links = links, .speed = speed, .tick = tick_ms / 1000, .diameter = diameter, .length = length};
+    const int links = static_cast<int>(sample_length / (link * sample_diameter) + 0.5);
+    const PullDef def{.links = links, .speed = sample_speed, .tick = tick_ms / 1000, .diameter = sample_diameter, .length = sample_length};
     const auto start = overhand(def.links, def.length);
     ThreadRope rope(def, start);
     return pull(rope, def, start);
