@@ -81,6 +81,8 @@ struct Case {
     bool with_spare;
 };
 
+void PrintTo(const Case& of, std::ostream* out) { *out << of.name; }  // by default it would be bytes, with addresses among them
+
 class SewingTest : public testing::TestWithParam<Case> {};
 
 TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
