@@ -79,7 +79,8 @@ double ThreadInTube::draw(bool by_lead, double way, double load) {
     const sim::thread::Hold hold{.node = held[0], .target = at + way * onwards, .wanted = at + (way + lag) * onwards};
     const int owners[] = {-1};
     const auto report = thread_.tick({.holds = {&hold, 1}, .hold_owners = owners, .capsules = {}, .surface = &wall_.tree(), .seconds = tick,
-                                      .loads = def_.is_elastic ? std::span<const Vec3>(loads_) : std::span<const Vec3>(), .surface_moved = moved_});
+                                      .loads = def_.is_elastic ? std::span<const Vec3>(loads_) : std::span<const Vec3>(), .surface_moved = moved_,
+                                      .soft_from = 0, .soft_give = scenarios::world::wall_gives});
     passes_ += report.pass_throughs;
     const double gone = onwards.dot(thread_.nodes()[static_cast<std::size_t>(held[0])] - at);
     constexpr int turns = 2;  // ticks a step of the tissue

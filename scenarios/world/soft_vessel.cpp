@@ -80,7 +80,7 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
 }
 
 // Of a wall with all that presses on it at a hole [N/m]: as much as some 5 mm of 6-0 polypropylene along itself, and twice that where thread cannot stretch.
-// Thread and wall are stepped in turn: where this is too little, as at a fifth, each throws the other to and fro, and a bite pulled to what it bears
+// Thread and wall are stepped in turn, each reckoning with how the other gives way (`wall_gives`): where this is too little, as at a fifth, each throws the other to and fro, and a bite pulled to what it bears
 // goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is shared by all places that are pressed at a hole.
 static double stiffness_with(bool elastic) { return elastic ? 5000 : 10000; }
 
@@ -92,7 +92,7 @@ void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geomet
     const Vec3 way = force.force / size;
     const double gone = way.dot(tissue::point_in(skin[triangle], weights) - force.at);
     // A wall that comes back meets a thread that comes after it, and presses as hard; one that sleeps holds it where it was.
-    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, force.asleep ? gone : std::max(0.0, gone)});
+    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, (force.asleep ? gone : std::max(0.0, gone)) - way.dot(force.deeper)});
 }
 
 void SoftVessel::load(double share, bool elastic) {

@@ -10,6 +10,10 @@ namespace scenarios::world {
 /// The wall of a vessel as a drill has it, in the world frame: of a tube cells finest near its cut, or all as fine where both ends are held; of a mesh as fine as that.
 tissue::Mesh wall_of(const VesselDef& def);
 
+/// What the thread reckons that a wall gives way by where a push on it changes [m/N] (TickInput::soft_give). An end of 0.2 MPa gives by 10 mm a newton, one of
+/// 2 MPa by 1; all places that are pressed at a hole together must be less stiff than the 5000 N/m that the wall reckons with.
+constexpr double wall_gives = 1e-3;
+
 /// What a thread presses with at a point of a wall.
 struct Press {
     tissue::MaterialPoint at;

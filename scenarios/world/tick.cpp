@@ -115,7 +115,7 @@ sim::thread::TickReport World::move_thread() {
         hold_thread_on(needle);
         swages_.push_back(needle.node);
     }
-    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, swages_});
+    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, swages_, vessels_.empty() ? wall_.size() : vessels_.front().first, wall_gives});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic one lets all wait for one.

@@ -60,6 +60,7 @@ static void end_step(State& state, TickReport& report) {
         Row& row = state.pressed.emplace_back(*press.row);
         row.normal_push = press.push.dot(row.normal);
         row.tangent_push = press.push - row.normal_push * row.normal;
+        row.began = press.began;
     }
 }
 
@@ -139,6 +140,7 @@ void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     Rod& rod = *state.rod;
     wake_what_is_moved(state);
     hold_what_sleeps(state);
+    for (Row& row : state.pressed) row.began = row.push();
     rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}, .asleep = state.asleep}, state.input.seconds);
     Left left;
     int pressed = 0;

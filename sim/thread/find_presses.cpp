@@ -64,6 +64,7 @@ static Press* said_already(State& state, const Row& row) {
 static void press_as_before(Press& press, const Row& before) {
     const Vec3& n = press.normal;
     press.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
+    press.began += before.began;
 }
 
 // What pressed on a triangle and now lies nearer to the next goes on pressing there. Forgotten, what stuck would slide: the forces on a wall that a
@@ -141,6 +142,10 @@ static double for_rims(const State& state, const Row& row) {
     return sine > 0 ? geometry::portable_atan2(sine, 1 + cosine) * (1 + cosine) / sine : 1;
 }
 
+double give_of_wall(const State& state, const Row& row) {
+    return row.against == Against::surface && row.other >= state.input.soft_from ? state.input.soft_give : 0;
+}
+
 // Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.
 static void set_rest(State& state, Press& press) {
     Row& row = *press.row;
@@ -148,8 +153,10 @@ static void set_rest(State& state, Press& press) {
     row.friction *= for_rims(state, row);
     press.friction = row.friction * for_corners(state, row);
     press.pair.force = press.push;
+    const double stiffness = state.rod->def().contact_stiffness(state.rest[0]), soft = give_of_wall(state, row);
+    press.give = 1 / stiffness + soft;
     press.rest = row.start + ((row.against == Against::thread ? row.target : row.thickness) - row.start.dot(row.normal)) * row.normal +
-                 (press.push - row.normal_push * row.normal) / state.rod->def().contact_stiffness(state.rest[0]);
+                 (press.push - row.normal_push * row.normal) / stiffness + soft * press.began;
     if (row.normal_push > 0) add_rolling(state, row);
 }
 

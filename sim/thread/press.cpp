@@ -12,8 +12,6 @@ namespace sim::thread {
 using geometry::Lane;
 using Mat3 = Eigen::Matrix3d;
 
-static double contact_stiffness(const State& state) { return state.rod->def().contact_stiffness(state.rest[0]); }
-
 // The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from where they would
 // be. First across, then along.
 static Vec3 push_of(const Press& press, const Vec3& lacks) {
@@ -25,10 +23,10 @@ static Vec3 push_of(const Press& press, const Vec3& lacks) {
     return normal * n + drag;
 }
 
-// How it gives way to its own push, with `give` of the contact itself.
-static void measure_own(Press& press, const Mat3& responses, double give) {
+// How it gives way to its own push.
+static void measure_own(Press& press, const Mat3& responses) {
     const Vec3& n = press.normal;
-    const Mat3 own = responses + give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
+    const Mat3 own = responses + press.give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
     press.across = own * n;
     press.gives = n.dot(press.across);
     press.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
@@ -66,11 +64,10 @@ void push_more(State& state, const Responses& responses, std::size_t c, const Ve
 
 // One contact after the other; returns how much that changed, as share of all pushes.
 static double sweep(State& state, const Responses& responses) {
-    const double give = 1 / contact_stiffness(state);
     double changed = 0, all = 0;
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
-        const Vec3 lacks = press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - give * press.push;
+        const Vec3 lacks = press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - press.give * press.push;
         if (press.push.squaredNorm() == 0 && lacks.dot(press.normal) <= 0) continue;  // as half of them
         const Vec3 push = push_of(press, lacks), more = push - press.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
@@ -123,7 +120,7 @@ int solve_together(State& state) {
     const Responses responses = measure_responses(state);
     state.apart.resize(3 * state.presses.size());
     find_apart(state);
-    for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)), 1 / contact_stiffness(state));
+    for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)));
     const int sweeps = sweep_until_still(state, responses);
     part_presses(state, responses);
     return sweeps;

@@ -9,6 +9,9 @@ using Responses = Eigen::Map<Table::Matrix>;
 /// Whether a row is too far off to push in the next step, which leaves it just touching at most.
 bool is_far(const State& state, const Row& row);
 
+/// By how much a wall that gives way goes for what a push on it has changed by since it was moved [m/N]; 0 where it does not.
+double give_of_wall(const State& state, const Row& row);
+
 /// How far the step that was found takes a row's points apart, were it for the nodes alone.
 Vec3 way_of(const State& state, const Row& row);
 

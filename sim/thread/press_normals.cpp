@@ -13,10 +13,10 @@ using Matrix = Eigen::Map<Table::Matrix>;
 double normal_push(const Press& press) { return press.push.dot(press.normal); }
 
 // How much nearer contact c is than it would be; negative: farther.
-double lacks(const State& state, std::size_t c, double give) {
+double lacks(const State& state, std::size_t c) {
     const Press& press = state.presses[c];
     const Vec3& n = press.normal;
-    return (press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c)).dot(n) - give * normal_push(press);
+    return (press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c)).dot(n) - press.give * normal_push(press);
 }
 
 bool share_piece(const Press& a, const Press& b) {
@@ -39,15 +39,16 @@ Matrix responses_across(State& state, const Responses& responses) {
 }
 
 // All that push do so as if they could pull as well.
-bool solve_pushing(State& state, const Responses& responses, double give) {
+bool solve_pushing(State& state, const Responses& responses) {
     if (state.pushing.empty()) return true;
     constexpr double softer = 1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
     Matrix across = responses_across(state, responses);
-    across.diagonal().array() += give + softer * across.diagonal().mean();
+    const double more = softer * across.diagonal().mean();
+    for (Eigen::Index i = 0; i < across.rows(); ++i) across(i, i) += state.presses[at(state.pushing[at(i)])].give + more;
     const Eigen::LLT<Eigen::Ref<Table::Matrix>> in_place(across);
     if (in_place.info() != Eigen::Success) return false;
     state.push_change.resize(state.pushing.size());
-    for (std::size_t i = 0; i < state.pushing.size(); ++i) state.push_change[i] = lacks(state, static_cast<std::size_t>(state.pushing[i]), give);
+    for (std::size_t i = 0; i < state.pushing.size(); ++i) state.push_change[i] = lacks(state, static_cast<std::size_t>(state.pushing[i]));
     Eigen::Map<Eigen::VectorXd> change(state.push_change.data(), across.rows());
     across.triangularView<Eigen::Lower>().solveInPlace(change);
     across.transpose().triangularView<Eigen::Upper>().solveInPlace(change);
@@ -74,15 +75,15 @@ void drag_within_cone(State& state, const Responses& responses) {
 }
 
 // Until none pulls and none is too near.
-bool settle_across(State& state, const Responses& responses, double give, double near) {
+bool settle_across(State& state, const Responses& responses, double near) {
     constexpr int patience = 3, most = 30;
     std::size_t least = state.presses.size() + 1;
     int left = patience;
-    for (int turn = 0; turn < most && solve_pushing(state, responses, give); ++turn) {
+    for (int turn = 0; turn < most && solve_pushing(state, responses); ++turn) {
         state.wrong.clear();
         for (std::size_t c = 0; c < state.presses.size(); ++c) {
             const bool pushes = std::binary_search(state.pushing.begin(), state.pushing.end(), static_cast<int>(c));
-            if (pushes ? normal_push(state.presses[c]) < 0 : lacks(state, c, give) > near) state.wrong.push_back(static_cast<int>(c));
+            if (pushes ? normal_push(state.presses[c]) < 0 : lacks(state, c) > near) state.wrong.push_back(static_cast<int>(c));
         }
         if (state.wrong.empty()) return true;
         if (state.wrong.size() < least) {
@@ -112,8 +113,8 @@ void take_back(State& state, const Responses& responses) {
 
 void part_presses(State& state, const Responses& responses) {
     constexpr int rounds = 2;  // of pushes across and drags within what those allow
-    const double give = 1 / state.rod->def().contact_stiffness(state.rest[0]), near = 1e-2 * 2 * state.def.radius;
-    const auto is_too_near = [&](std::size_t c) { return lacks(state, c, give) > near; };
+    const double near = 1e-2 * 2 * state.def.radius;
+    const auto is_too_near = [&](std::size_t c) { return lacks(state, c) > near; };
     std::size_t right = 0;
     while (right < state.presses.size() && !is_too_near(right)) ++right;
     if (right == state.presses.size()) return;
@@ -123,7 +124,7 @@ void part_presses(State& state, const Responses& responses) {
         if (normal_push(state.presses[c]) > 0) state.pushing.push_back(static_cast<int>(c));
     }
     for (int round = 0; round < rounds; ++round) {
-        if (!settle_across(state, responses, give, near)) return take_back(state, responses);
+        if (!settle_across(state, responses, near)) return take_back(state, responses);
         if (round + 1 < rounds) drag_within_cone(state, responses);
     }
 }

@@ -54,6 +54,9 @@ struct Row {
     bool pressed = false;         ///< When the last substep ended; until it is known whether it does now.
     double slip = 0;              ///< How far friction that holds has let it slide, when last resolved [m].
     bool is_there_still = false;  ///< Of what pressed when an elastic step ended: as the next is found.
+    Vec3 began = Vec3::Zero();    ///< push() as an elastic tick began [N].
+
+    Vec3 push() const { return normal_push * normal + tangent_push; }
 };
 
 /// A row that pushes, and what its pushes do to the thread as a whole.
@@ -92,8 +95,10 @@ struct Press {
     Row* row;
     Vec3 normal;                        ///< The row's: sweeps have it at hand with what follows.
     Vec3 push = Vec3::Zero();           ///< [N] on the link, drag and all.
+    Vec3 began = Vec3::Zero();          ///< As the tick began.
     Vec3 rest = Vec3::Zero();           ///< Where it would press and drag no more [m].
     double friction = 0;                ///< Coulomb's, and what a polyline lacks.
+    double give = 0;                    ///< Of the contact itself and of what it presses on [m/N].
     double gives = 0;                   ///< How its points give way to its own push across, across [m/N],
     Vec3 across = Vec3::Zero();         ///< and in all;
     Eigen::Matrix3d along = {};         ///< the push along that undoes a slip [N/m].

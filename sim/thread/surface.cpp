@@ -5,9 +5,12 @@
 namespace sim::thread {
 
 static void find_pressed(State& state) {
-    const auto force_of = [](const Row& row) -> SurfaceForce { return {row.other, row.fixed, -(row.normal_push * row.normal + row.tangent_push), row.link}; };
-    for (const Row& row : state.pressed)
-        if (row.against == Against::surface) state.surface_forces.push_back(force_of(row));
+    const auto force_of = [](const Row& row) -> SurfaceForce { return {row.other, row.fixed, -row.push(), row.link}; };
+    for (const Row& row : state.pressed) {
+        if (row.against != Against::surface) continue;
+        state.surface_forces.push_back(force_of(row));
+        state.surface_forces.back().deeper = give_of_wall(state, row) * (row.began - row.push());
+    }
     for (const SleepingPress& press : state.sleeping) {
         if (press.row.against != Against::surface) continue;
         state.surface_forces.push_back(force_of(press.row));

@@ -56,6 +56,10 @@ struct TickInput {
     double surface_moved = 0;                         ///< How far the surface has gone since the last tick at most [m]; none of it through
                                                       ///< the thread: nearer by 0.45 of surface_room() at most.
     std::span<const int> sheathed = {};               ///< Links that touch no surface: the needles that lead them are in the wall.
+    int soft_from = std::numeric_limits<int>::max();  ///< The surface's triangles from this one on come after what presses on them, which its owner moves
+    double soft_give = 0;                             ///< between ticks: by so much [m/N] is a push taken to move them at once; elastic only. Where
+                                                      ///< both sides, solved in turn, reckon with how the other gives way their pushes come to rest
+                                                      ///< however stiff either is (Robin conditions: Badia, Nobile and Vergara 2008).
 };
 
 /// What a tick did and what it gave up.
@@ -76,6 +80,7 @@ struct SurfaceForce {
     Vec3 at;        ///< On it [m].
     Vec3 force;     ///< [N]
     int link;       ///< That presses.
+    Vec3 deeper = Vec3::Zero();  ///< How far the thread has gone beyond that, for TickInput::soft_give [m].
     std::optional<geometry::Triangle> asleep = {};  ///< Of a piece that stays where it is: the triangle as it was when that fell asleep.
 };
 
