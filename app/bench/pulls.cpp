@@ -88,9 +88,9 @@ Over over(const std::vector<double>& values) {
     return {percentile(values, 0.5), 0.5 * (*most - *least)};
 }
 
-class Table {
+class PullTable {
   public:
-    Table(Suite& suite, const Scene& scene, double seconds) : suite_(suite), scene_(scene), seconds_(seconds) {}
+    PullTable(Suite& suite, const Scene& scene, double seconds) : suite_(suite), scene_(scene), seconds_(seconds) {}
 
     /// `whose`: "" or "ode-", whose rows have no bounds.
     void add(const std::string& whose, const std::string& id, const Words& how, const std::vector<double>& values) {
@@ -150,7 +150,7 @@ void add_scene(Suite& suite, const Scene& scene, const std::vector<std::string>&
         ours.push_back(pull_ours(scene));
         for (const std::string& peer : peers) theirs[peer].push_back(Peer(peer).pull(scene.links, scene.speed));
     }
-    Table table(suite, scene, watch.seconds());
+    PullTable table(suite, scene, watch.seconds());
     table.add("", ours);
     std::vector<double> spread;
     for (const PullFigures& run : ours) spread.push_back(run.tick_p99 / run.tick_p50);

@@ -20,9 +20,9 @@ constexpr double strand_diameter = 1e-3, strand_link = 0.5 * strand_diameter, st
 constexpr double strand_load = 0.1;  // [N]
 constexpr int bar_links = 40, lead_links = 240, tail_links = 260;  // links: of the strand that is held, from a hand to the half turn, and from there to the load
 
-struct Hung {
+struct HungStrand {
     // The bar along y, slack far from all, and down from the hand to the half turn round the bar, and up again.
-    Hung() {
+    HungStrand() {
         const double d = strand_diameter, out = strand_diameter;
         straight({0, -10 * d, 0}, {0, 10 * d, 0});
         straight({0, 10 * d, 0}, {0, 80 * d, 0});
@@ -46,7 +46,7 @@ struct Hung {
     int hand = 0;
 };
 
-sim::thread::Thread thread_of(const Hung& hung) {
+sim::thread::Thread thread_of(const HungStrand& hung) {
     constexpr double strain = 1e-3, limp = 1e-3;  // stretched so much by the load; of the bending stiffness
     const double young = strand_load / strain / (pi * strand_diameter * strand_diameter / 4);
     return {{.radius = 0.5 * strand_diameter, .friction = strand_friction,
@@ -56,7 +56,7 @@ sim::thread::Thread thread_of(const Hung& hung) {
 
 double friction_found(double speed, double tick) {
     constexpr double way = 20 * strand_diameter;  // slides over the second half of it
-    const Hung hung;
+    const HungStrand hung;
     auto thread = thread_of(hung);
     std::vector<Hold> holds;
     for (int i = 0; i <= bar_links; ++i) holds.push_back({i, hung.nodes[static_cast<std::size_t>(i)]});

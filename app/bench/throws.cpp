@@ -7,7 +7,8 @@
 namespace app::bench {
 
 static void append_throw(std::vector<Vec3>& strand, const sim::knot::Throw& t, double side, double z) {
-    constexpr double half_width = 2, pi = std::numbers::pi;
+    using std::numbers::pi;
+    constexpr double half_width = 2;
     const double turn = (t.right_handed ? 1.0 : -1.0) * (2 * t.turns + 1) * pi;
     const int steps = 12 * (2 * t.turns + 1);
     for (int i = 0; i <= steps; ++i) {

@@ -8,7 +8,6 @@ namespace app::bench {
 
 namespace {
 
-using tissue::Hold;
 using tissue::Input;
 using tissue::Material;
 using tissue::Mesh;
@@ -63,7 +62,7 @@ Compared patch_stress(Deformation mode, double stretch) {
     constexpr int steps = 10;
     for (int s = 1; s <= steps; ++s) {
         const double along = 1 + (stretch - 1) * s / steps, across = mode == Deformation::pure_shear ? 1 : along;
-        std::vector<Hold> holds;
+        std::vector<tissue::Hold> holds;
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
             const bool left = is_at(at.x(), 0, cell), right = is_at(at.x(), edge, cell), front = is_at(at.y(), 0, cell), back = is_at(at.y(), edge, cell);
@@ -89,7 +88,7 @@ Compared inflated_radius(const Resolution& resolution, double stretch, double ax
     constexpr int steps = 10;
     for (int s = 1; s <= steps; ++s) {
         const double share = static_cast<double>(s) / steps;
-        std::vector<Hold> holds;
+        std::vector<tissue::Hold> holds;
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
             holds.push_back({i, {(1 + share * (axial - 1)) * at.x(), 0, 0}, {true, is_at(at.y(), 0, cell), is_at(at.z(), 0, cell)}});
@@ -114,7 +113,7 @@ Compared clamped_force(const Resolution& resolution, double stretch) {
     Tissue tissue = newton(mesh);
     constexpr int steps = 4;
     for (int s = 1; s <= steps; ++s) {
-        std::vector<Hold> holds;
+        std::vector<tissue::Hold> holds;
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
             const bool far = is_at(at.x(), length, wall);
