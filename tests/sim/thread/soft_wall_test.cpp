@@ -1,6 +1,9 @@
 // Thread and walls that give way are moved in turn: what presses between them must come to rest all the same.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "sim/geometry/triangle_tree.hpp"
 #include "sim/thread/thread.hpp"
 
