@@ -79,10 +79,11 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
     presses.reserve(1024), pressed.reserve(128), forces.reserve(4096), pulls.reserve(128), mean_pulls.reserve(128), strengths.reserve(64);
 }
 
-// Of a wall with all that presses on it at a hole [N/m]: as much as some 5 mm of 6-0 polypropylene along itself, and twice that where thread cannot stretch.
-// Thread and wall are stepped in turn, each reckoning with how the other gives way (`wall_gives`): where this is too little, as at a fifth, each throws the other to and fro, and a bite pulled to what it bears
-// goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is shared by all places that are pressed at a hole.
-static double stiffness_with(bool elastic) { return elastic ? 5000 : 10000; }
+// Of a wall with all that presses on it at a hole, at so many places [N/m]: as much as some 5 mm of 6-0 polypropylene along itself, and twice that where thread
+// cannot stretch. Thread and wall are stepped in turn, each reckoning with how the other gives way (`wall_gives`): where this is too little, as at a fifth, or as
+// where all of a strand that lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a bite pulled to what it bears goes
+// to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is shared by all places that are pressed at a hole.
+static double stiffness_with(bool elastic, int places) { return elastic ? std::max(5e3, places / wall_gives) : 1e4; }
 
 void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geometry::Triangle& shown, double believed) {
     if (force.force.isZero(0)) return;
@@ -96,12 +97,12 @@ void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geomet
 }
 
 void SoftVessel::load(double share, bool elastic) {
-    pressed.assign(static_cast<std::size_t>(skin.holes() + 1), 0);
-    const auto all = [&](const Press& press) -> double& { return pressed[static_cast<std::size_t>(press.hole + 1)]; };
-    for (const Press& press : presses) all(press) += press.size;
+    pressed.assign(static_cast<std::size_t>(skin.holes() + 1), {});
+    const auto all = [&](const Press& press) -> auto& { return pressed[static_cast<std::size_t>(press.hole + 1)]; };
+    for (const Press& press : presses) all(press).size += press.size, ++all(press).places;
     for (const Press& press : presses) {
         if (press.hole >= 0) pulls[static_cast<std::size_t>(press.hole)] += share * press.size * press.way;
-        const double stiffness = stiffness_with(elastic) * press.size / all(press);
+        const double stiffness = stiffness_with(elastic, all(press).places) * press.size / all(press).size;
         const double left = std::max(0.0, press.size - stiffness * press.gone);
         forces.push_back({press.at, share * left * press.way, share * stiffness});
     }

@@ -11,7 +11,7 @@ namespace scenarios::world {
 tissue::Mesh wall_of(const VesselDef& def);
 
 /// What the thread reckons that a wall gives way by where a push on it changes [m/N] (TickInput::soft_give). An end of 0.2 MPa gives by 10 mm a newton, one of
-/// 2 MPa by 1; all places that are pressed at a hole together must be less stiff than the 5000 N/m that the wall reckons with.
+/// 2 MPa by 1. Softer than that a strand goes through a rim before its wall has followed.
 constexpr double wall_gives = 1e-3;
 
 /// What a thread presses with at a point of a wall.
@@ -42,7 +42,8 @@ struct SoftVessel {
     Eigen::Isometry3d carried = Eigen::Isometry3d::Identity();  ///< and how it has carried the clamps since.
     std::vector<tissue::PointForce> forces;   ///< For the next step, so far.
     std::vector<Press> presses;               ///< Of the thread in this tick,
-    std::vector<double> pressed;              ///< and all of them at each hole together, at first those at none [N].
+    struct Pressed { double size = 0; int places = 0; };
+    std::vector<Pressed> pressed;             ///< and all of them at each hole together, at first those at none [N].
     std::vector<Vec3> pulls;                  ///< Of the thread at each hole, the mean since the last step [N],
     std::vector<Vec3> mean_pulls;             ///< and over some more.
     std::vector<sim::thread::Strength> strengths;  ///< Of each bite,

@@ -15,8 +15,10 @@ static void add_node(const State& state, Pair& pair, int node, double weight) {
 }
 
 static const Row* pressed_before(State& state, const Row& row) {
+    // On a soft wall with both its ends, each of which goes on with what it pressed with, once.
+    const auto is_its_other_end = [&](const Row& k) { return is_on_soft_wall(state, row) && (k.is_there_still || std::abs(k.s - row.s) >= 0.5); };
     const auto known = std::find_if(state.pressed.begin(), state.pressed.end(),
-        [&](const Row& k) { return k.against == row.against && k.link == row.link && k.other == row.other; });
+        [&](const Row& k) { return k.against == row.against && k.link == row.link && k.other == row.other && !is_its_other_end(k); });
     if (known == state.pressed.end()) return nullptr;
     known->is_there_still = true;
     return &*known;
@@ -40,17 +42,19 @@ static void add_rolling(State& state, const Row& row) {
     if (strand) roll(row.other, row.t);
 }
 
-bool is_far(const State& state, const Row& row) { return row.distance > row.target + 0.1 * 2 * state.def.radius; }
+bool is_far(const State& state, const Row& row) { return row.distance > row.target + about_to_press(state); }
 
 static double place_of(const State& state, int link, double s) { return state.arc[at(link)] + s * state.rest[at(link)]; }
 
 // Links that meet in a node touch what is there both, and a link many small triangles of a wall: rows within a radius of each other that
-// face the same way say the same; on a wall within a link, which is as long as its bend allows. Round a tool each link needs its own: with
-// one for two a wrap lost a tenth of its friction in short ticks.
+// face the same way say the same; on a wall within a link, which is as long as its bend allows, on a soft one within half of it: what lies between
+// two nodes is said at one of them. Round a tool each link needs its own: with one for two a wrap lost a tenth of its friction in short ticks.
 static bool says_the_same(const State& state, const Row& a, const Row& b) {
+    constexpr double to_a_node = 0.51;  // half a link, and what rounds
     const double same_way = a.against == Against::surface ? same_way_on_wall(state) : 0.94;
     const double radius = state.def.radius, rest = state.rest[at(a.link)];
-    const double reach = a.against == Against::surface ? std::max(radius, rest) : a.against == Against::capsule ? std::min(radius, 0.75 * rest) : radius;
+    const double on_wall = is_on_soft_wall(state, a) ? to_a_node * rest : rest;
+    const double reach = a.against == Against::surface ? std::max(radius, on_wall) : a.against == Against::capsule ? std::min(radius, 0.75 * rest) : radius;
     const auto near = [&](double p, double q) { return std::abs(p - q) < reach; };
     return a.against == b.against && a.normal.dot(b.normal) > same_way && near(place_of(state, a.link, a.s), place_of(state, b.link, b.s)) &&
            (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
@@ -143,7 +147,7 @@ static double for_rims(const State& state, const Row& row) {
 }
 
 double give_of_wall(const State& state, const Row& row) {
-    return row.against == Against::surface && row.other >= state.input.soft_from ? state.input.soft_give : 0;
+    return is_on_soft_wall(state, row) ? state.input.soft_give : 0;
 }
 
 // Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.

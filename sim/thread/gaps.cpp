@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
@@ -38,6 +39,26 @@ static Row row_of(const State& state, const Contact& c, const ClosestPair& pair)
 // A substep moves what touches by less than a radius each; what is missed now is met next time, outside its bound still.
 double closing(const State& state) { return 1.9 * state.def.radius; }
 
+double about_to_press(const State& state) { return 0.1 * 2 * state.def.radius; }
+
+// Of a link on a wall, less is no difference.
+static double alike(const State& state) { return 0.01 * 2 * state.def.radius; }
+
+// A link that lies along a wall touches it all along, and which place is nearest changes from step to step: shown that alone it tumbles where another wall
+// squeezes it. So it is shown its ends as well, where a triangle is straight below them. Not on rigid walls, between which nothing is squeezed.
+static void add_ends(State& state, const Contact& c, const ClosestPair& nearest) {
+    const auto& surface = *state.input.surface;
+    for (const int end : {0, 1}) {
+        const Vec3& node = state.nodes[at(c.link + end)];
+        ClosestPair pair = closest_points(node, node, surface[c.other]);
+        pair.s = end;
+        Contact there = c;
+        there.gap = std::sqrt(pair.distance_squared);
+        const bool is_below = there.gap < surface.plane_gap(c.other, node, node) + alike(state);
+        if (pair.s != nearest.s && is_below && there.gap < c.thickness + about_to_press(state)) state.rows.push_back(row_of(state, there, pair));
+    }
+}
+
 // Brings the gap up to date where it may matter. Nothing has come nearer by more than twice `moved` since it was measured,
 // and a link is no nearer to a triangle than to its plane: what that leaves far enough off need not be measured again.
 static void measure(State& state, Contact& c) {
@@ -53,29 +74,43 @@ static void measure(State& state, Contact& c) {
     const ClosestPair pair = nearest(state, c);
     c.gap = c.measured = std::sqrt(pair.distance_squared);
     c.place = pair.t;
-    if (c.gap < touchable && !(c.against == Against::surface && sleeps(state, c.link))) state.rows.push_back(row_of(state, c, pair));
+    if (c.gap >= touchable || (c.against == Against::surface && sleeps(state, c.link))) return;
+    state.rows.push_back(row_of(state, c, pair));
+    if (is_on_soft_wall(state, c) && c.gap < c.thickness + about_to_press(state)) add_ends(state, c, pair);
 }
 
 // In a corner of a hole's rim a thread leans on both sides. An elastic one that is shown one of them slides off past the other and is thrown back, by
 // half a radius a tick at 20 degrees; at 14 it rests. Follow-The-Leader, which has no forces, leans on nothing.
 double same_way_on_wall(const State& state) { return state.rod ? 0.97 : 0.94; }
 
+using Rows = std::vector<Row>::iterator;
+
+// What lies between a link's ends where the wall is no nearer than straight from the one to the other.
+static Rows without_what_ends_say(const State& state, Rows first, Rows last) {
+    const Rows ends = std::partition(first, last, [&](const Row& row) { return !is_on_soft_wall(state, row) || row.s == 0 || row.s == 1; });
+    const auto is_at = [&](double s, const Row& row) { return [&state, s, &row](const Row& end) { return end.s == s && end.normal.dot(row.normal) > same_way_on_wall(state); }; };
+    return std::remove_if(ends, last, [&](const Row& row) {
+        const Rows a = std::find_if(first, ends, is_at(0, row)), b = std::find_if(first, ends, is_at(1, row));
+        return a != ends && b != ends && row.distance > (1 - row.s) * a->distance + row.s * b->distance - alike(state);
+    });
+}
+
 // A wall's small triangles give a link many rows that say the same: of those within a radius of each other that face the
 // same way, the nearest. What does not is another wall or an edge.
-static void merge_walls(std::vector<Row>& rows, double radius, double same_way) {
+static void merge_walls(State& state) {
+    const double radius = state.def.radius, same_way = same_way_on_wall(state);
+    std::vector<Row>& rows = state.rows;
     const auto of_one_link = [](const Row& a, const Row& b) { return a.against == b.against && a.link == b.link; };
+    const auto order = [](const Row& row) { return std::tuple(row.distance, row.other, row.s); };
     auto kept = rows.begin();
-    for (auto group = rows.begin(); group != rows.end();) {
-        const auto end = std::find_if(group, rows.end(), [&](const Row& row) { return !of_one_link(row, *group); });
-        const auto first_kept = kept;
-        if (group->against == Against::surface)
-            std::sort(group, end, [](const Row& a, const Row& b) { return a.distance != b.distance ? a.distance < b.distance : a.other < b.other; });
-        for (; group != end; ++group) {
-            const auto known = [&](const Row& row) {
-                return group->against == Against::surface && row.normal.dot(group->normal) > same_way &&
-                       (row.fixed - group->fixed).squaredNorm() < radius * radius;
-            };
-            if (std::none_of(first_kept, kept, known)) *kept++ = *group;
+    for (auto group = rows.begin(), next = group; group != rows.end(); group = next) {
+        next = std::find_if(group, rows.end(), [&](const Row& row) { return !of_one_link(row, *group); });
+        const bool on_wall = group->against == Against::surface;
+        const auto first_kept = kept, past = on_wall ? without_what_ends_say(state, group, next) : next;
+        if (on_wall) std::sort(group, past, [&](const Row& a, const Row& b) { return order(a) < order(b); });
+        for (auto row = group; row != past; ++row) {
+            const auto says_it = [&](const Row& known) { return known.normal.dot(row->normal) > same_way && (known.fixed - row->fixed).squaredNorm() < radius * radius; };
+            if (!on_wall || std::none_of(first_kept, kept, says_it)) *kept++ = *row;
         }
     }
     rows.erase(kept, rows.end());
@@ -106,7 +141,7 @@ void measure_gaps(State& state, double way) {
     const double most_move = way > 0 ? std::max(3 * way, 0.25 * state.def.radius) : state.reach;
     for (double& bound : state.bound) bound = std::min(bound, most_move);
     std::erase_if(state.rows, [&](const Row& row) { return row.distance >= row.thickness + 2 * room(row, most); });
-    merge_walls(state.rows, state.def.radius, same_way_on_wall(state));
+    merge_walls(state);
 }
 
 }  // namespace sim::thread

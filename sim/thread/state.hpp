@@ -351,6 +351,15 @@ void measure_gaps(State& state, double way);
 /// What is farther off than where it touches by this has no row [m].
 double closing(const State& state);
 
+/// And this one does not press in the next step of an elastic thread, but where it did [m].
+double about_to_press(const State& state);
+
+/// Of a wall that its owner moves as an elastic thread presses on it (TickInput::soft_from): links lean on such with their ends.
+template <class RowOrContact>
+bool is_on_soft_wall(const State& state, const RowOrContact& c) {
+    return state.rod && c.against == Against::surface && c.other >= state.input.soft_from;
+}
+
 /// Cosine of the angle within which rows on a wall say the same (gaps.cpp).
 double same_way_on_wall(const State& state);
 
