@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // How far tools, and what they hold, go in a step of an elastic thread: up to what they meet, into what gives way as far as it does, along what does not.
 namespace sim::thread {

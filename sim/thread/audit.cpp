@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // An independent witness: it knows nothing of contacts, reach or bounds, only where every link was and is. Two segments
 // whose ends move linearly can pass through each other only when the four ends are coplanar, so the volume they span,

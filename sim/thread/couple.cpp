@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

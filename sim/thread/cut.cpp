@@ -1,6 +1,6 @@
 #include <optional>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // The thread cut in two. A stump ends half a contact's thickness from where it was cut, as a round end does that covers what the
 // cut left; so the two just touch, and as nothing moves nothing can be passed through.

@@ -3,7 +3,7 @@
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 
@@ -49,13 +49,14 @@ static double alike(const State& state) { return 0.01 * 2 * state.def.radius; }
 static void add_ends(State& state, const Contact& c, const ClosestPair& nearest) {
     const auto& surface = *state.input.surface;
     for (const int end : {0, 1}) {
+        if (nearest.s == end) continue;
         const Vec3& node = state.nodes[at(c.link + end)];
         ClosestPair pair = closest_points(node, node, surface[c.other]);
         pair.s = end;
         Contact there = c;
         there.gap = std::sqrt(pair.distance_squared);
         const bool is_below = there.gap < surface.plane_gap(c.other, node, node) + alike(state);
-        if (pair.s != nearest.s && is_below && there.gap < c.thickness + about_to_press(state)) state.rows.push_back(row_of(state, there, pair));
+        if (is_below && there.gap < c.thickness + about_to_press(state)) state.rows.push_back(row_of(state, there, pair));
     }
 }
 

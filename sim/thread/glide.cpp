@@ -3,7 +3,7 @@
 #include <span>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // Thread that lies along steel. Its tension presses every one of its links on the steel, and what they drag changes the tension: passes
 // over contacts and lengths in turn hand that on by a link or two each, so a long wrap seems to hang. Here all lengths, pushes and

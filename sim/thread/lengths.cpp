@@ -1,4 +1,4 @@
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // Links where they are needed. A link is halved at its middle, which moves nothing; two are joined only where they lie
 // straight and clear of other strands, so that nothing can be in the sliver between them and their chord.

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

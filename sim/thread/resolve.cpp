@@ -3,7 +3,7 @@
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // Of several pieces of an elastic thread, one that no tool holds and that has been still for a while sleeps: it is not solved, and holds walls as it did,
 // until a tool, another piece, a wall or what holds it stirs it. So a stitch that is tied costs next to nothing while the next is made, and cannot creep.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/geometry/closest_points.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 namespace sim::thread {
 

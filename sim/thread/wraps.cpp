@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 
 // Which of the thread lies along steel in a substep, and what it knows from the last one.
 namespace sim::thread {

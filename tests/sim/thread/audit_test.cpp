@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 #include "tests/sim/thread/scene.hpp"
 
 // The audit is the witness of "nothing passed through". A witness that cannot say yes proves nothing, and one that

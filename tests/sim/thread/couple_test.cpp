@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/stages.hpp"
 #include "tests/sim/thread/scene.hpp"
 
 namespace {
