@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tissue {
 
@@ -139,7 +140,7 @@ void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, 
     const int number = inwards ? static_cast<int>(bites_.size()) - 1 : crossings_.back().bite;
     Bite& bite = bites_[static_cast<std::size_t>(number)];
     BiteEnd& end = inwards ? bite.entry : bite.exit;
-    end = BiteEnd{hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force};
+    end = BiteEnd{hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force, std::exchange(touch_.is_through, false)};
     if (inwards && !crossings_.empty()) {
         Bite& last = of(crossings_.back());
         if (last.exit.side == Side::inner && bite.entry.side == Side::inner) last.both_walls = bite.both_walls = true;

@@ -35,6 +35,7 @@ struct BiteEnd {
     MaterialPoint at;
     Side side = Side::outer;
     double force = 0;              ///< That pierced it; through an old hole 0 [N].
+    bool caved_in = false;         ///< Pierced by less than BiteDef::puncture.
 };
 
 enum class BiteState {

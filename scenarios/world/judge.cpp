@@ -44,6 +44,7 @@ static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const 
     const bool through = bite.state == tissue::BiteState::open;
     return {vessel.name, name_of(bite.entry.side), through ? name_of(bite.exit.side) : "", 1e3 * size_of(bite, vessel.tissue.rest(), outer_rims),
             1e3 * bite.depth, degrees * bite.angle_to_wall, bite.partial(), bite.both_walls, bite.torn, bite.state == tissue::BiteState::empty, bite.on_needle, through && !bite.on_needle && !bite.torn && !has_thread,
+            bite.entry.caved_in || bite.exit.caved_in,
             number < vessel.bitten_s.size() ? vessel.bitten_s[number] : 0};
 }
 

@@ -22,6 +22,7 @@ struct BiteMeasure {
     bool partial = false, both_walls = false, torn = false, withdrawn = false;
     bool on_needle = false;                    ///< Not drawn through yet: no thread lies in it.
     bool is_empty = false;                     ///< Its thread was drawn out of it.
+    bool caved_in = false;                     ///< The wall gave way so far that the needle was through with less force than piercing takes.
     double at_s = 0;                           ///< When the needle was through, or last did anything to it.
 };
 

@@ -241,6 +241,18 @@ TEST(Score, BitesThatHoldAreCounted) {
     EXPECT_TRUE(item("bites", m, text).why.starts_with("No wall was pierced"));
     m.slipped = "left", m.slipped_s = 1.734;
     EXPECT_TRUE(item("bites", m, text).why.starts_with("The needle slipped off the edge of left at 1.73 s"));
+    m.bites = {{"left", "outer", "inner"}};
+    EXPECT_TRUE(item("bites", m, text).why.starts_with("Bites are missing")) << "it was bitten after all";
+}
+
+TEST(Score, AWallThatCavedInIsTold) {
+    const std::string text = sample::sewn("\"bites\": [1, 2]");
+    world::Measures m = good();
+    m.bites = {{"left", "outer", "inner"}};
+    EXPECT_EQ(item("bite_1", m, text).why, "");
+    m.bites[0].caved_in = true;
+    EXPECT_TRUE(item("bite_1", m, text).passed) << "it holds";
+    EXPECT_TRUE(item("bite_1", m, text).why.starts_with("The wall caved in"));
 }
 
 // An instructor asks for bites of one to one and a half millimetres, straight through the wall.
@@ -263,6 +275,7 @@ TEST(Score, TheNeedleIsJudgedByHowItIsHeld) {
     const std::string text = sample::sewn("\"needle_deg\": [70, 90]");
     world::Measures m = good();
     EXPECT_EQ(item("needle_angle", m, text).why, "The needle was never held.");
+    EXPECT_EQ(item("needle_angle", m, text).value, "never");
     m.needle_deg = world::Moment{55, 3};
     EXPECT_TRUE(item("needle_angle", m, text).why.starts_with("The needle was held askew"));
     EXPECT_EQ(item("needle_angle", m, text).at_s, 3);
@@ -283,4 +296,20 @@ TEST(Score, AJoinIsJudgedWhereOneIsAskedFor) {
         EXPECT_NE(item(name, m, text).why, "") << name;
     }
     EXPECT_EQ(item("lapses", m, text).why, "There are more lapses than allowed: tear, overlap.");
+}
+
+// The ends of a stitch that nobody tied met, and nothing said that clamps held them there.
+TEST(Score, AJoinIsToldToBeMeasuredInClamps) {
+    std::string text = sample::sewn(R"("gap_mm": {"max": 0.2})");
+    world::Measures m = good();
+    m.join = {0.1, 0.9, 80, {{"tear", "hole", 3, 2, false, false}}};
+    EXPECT_EQ(item("gap", m, text).why, "");
+    const auto replace = [&](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
+    replace(R"("held": ["end"])", R"("held": ["end"], "held_by": "clamps")");
+    replace(R"("kind": "needle_holder"})", R"("kind": "needle_holder"}, {"name": "clamps", "kind": "approximator"})");
+    m.path_mm.push_back(0), m.grasps.push_back(0), m.lag_max_mm.push_back({0, 0});
+    EXPECT_TRUE(item("gap", m, text).passed);
+    EXPECT_TRUE(item("gap", m, text).why.starts_with("The clamps of clamps still hold the ends"));
+    m.join.gap_mm = 0.3;
+    EXPECT_TRUE(item("gap", m, text).why.starts_with("The ends do not meet"));
 }
