@@ -4,6 +4,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/effects.hpp"
 #include "app/fault.hpp"
+#include "scenarios/drill/keys.hpp"
 
 namespace app {
 
@@ -31,6 +32,17 @@ void print_json(const scenarios::drill::Drill& drill) {
     std::cout << report.dump(2) << '\n';
 }
 
+// A band has no default: without it nothing is judged.
+std::string bands_left_out(const scenarios::drill::Drill& drill) {
+    const auto given = nlohmann::json::parse(drill.filled)["bands"];
+    std::string free;
+    for (const auto& key : scenarios::drill::drill_shape().keys)
+        if (key.name == "bands")
+            for (const auto& band : key.shape.keys)
+                if (!given.contains(band.name) || given[band.name].empty()) free += (free.empty() ? "" : ", ") + band.name;
+    return free;
+}
+
 void print(const scenarios::drill::Drill& drill) {
     std::cout << drill.title << "\n\n";
     for (const auto& effect : effects_of(drill)) {
@@ -40,6 +52,7 @@ void print(const scenarios::drill::Drill& drill) {
         std::cout << effect.cost << '\n';
     }
     std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';
+    if (const std::string free = bands_left_out(drill); !free.empty()) std::cout << "\nBands that it does not have, so that these are shown and not judged: " << free << ".\n";
 }
 
 }  // namespace

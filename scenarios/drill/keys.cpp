@@ -1,5 +1,7 @@
 #include "scenarios/drill/keys.hpp"
 
+#include <cmath>
+
 #include "scenarios/drill/materials.hpp"
 #include "scenarios/drill/needles.hpp"
 
@@ -43,6 +45,8 @@ Shape point(const std::string& about) {
     return list(about, 3, 3, quantity("x, y or z in the world.", -1000, 1000, "mm"));
 }
 
+std::string in_mm(double metres) { return shown(std::round(1e6 * metres) / 1e3); }
+
 template <typename Table>
 std::vector<json> names_of(const Table& table) {
     std::vector<json> names;
@@ -70,6 +74,14 @@ Shape per_instrument(const std::string& about, const Shape& one) { return {.type
 
 Shape direction(const std::string& about) { return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000)); }
 
+// "BV-1: 3/8 circle, 9.3 mm, wire 0.2 mm."
+std::string dimensions() {
+    std::string all;
+    for (const NeedleCode& code : needle_codes())
+        all += (all.empty() ? "" : "; ") + std::string(code.name) + ": " + shown(8 * code.circle) + "/8 circle, " + in_mm(code.length) + " mm, wire " + in_mm(code.wire) + " mm";
+    return all + ".";
+}
+
 std::vector<Key> place_of_needle() {
     return {{"tail_mm", point("Where its tail is at the start."), true},
             {"towards", direction("From there to its tip"), true},
@@ -78,7 +90,7 @@ std::vector<Key> place_of_needle() {
 
 Shape needle() {
     std::vector<Key> keys = place_of_needle();
-    keys.insert(keys.begin(), {"code", choice("As makers name it: part of a circle, length, wire.", names_of(needle_codes())), true});
+    keys.insert(keys.begin(), {"code", choice("As makers name it. " + dimensions(), names_of(needle_codes())), true});
     return group("A curved needle swaged to the thread, which starts at its tail; start_mm then goes on from behind it. Jaws that are closed on it at the "
                  "start hold it.", keys);
 }
@@ -138,7 +150,7 @@ Shape vessel() {
               {{"name", name("How goals call it."), true},
                {"tube", tube},
                {"mesh", mesh},
-               {"centre_mm", point("Middle of the vessel."), false, json::array({0, 0, 0})},
+               {"centre_mm", point("Middle of a tube; of a mesh where the origin of its file comes."), false, json::array({0, 0, 0})},
                {"axis", list("Direction of a tube, and of a mesh made along x; any length but zero.", 3, 3, quantity("Component.", -1000, 1000)),
                 false, json::array({1, 0, 0})},
                {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,

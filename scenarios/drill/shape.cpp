@@ -123,7 +123,7 @@ Found check_object(const json& value, const Shape& shape, const std::string& poi
         if (!key && shape.other_keys.empty()) {
             std::vector<std::string> known;
             for (const Key& k : shape.keys) known.push_back(k.name);
-            return Problem{place, unknown_key(name, known), true};
+            return Problem{place, unknown_key(name, known) + (shape.types_words.empty() ? "" : "; expected " + shape.types_words), true};
         }
         if (auto problem = check(inner, key ? key->shape : shape.other_keys.front(), place)) return problem;
     }

@@ -216,6 +216,7 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("{\"left\": {", "{\"lefty\": {"),
          "a.json:18:25: error: /bands/path_mm/lefty: no instrument has this name, expected \"left\" or \"right\""},
         {with("\"tension_N\": [0.1, 1]", "\"tension_N\": 1"), "a.json:18:61: error: /bands/tension_N: expected [low, high] or {\"max\": high}, found 1"},
+        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": {\"min\": 0.1, \"max\": 1}"), "a.json:18:62: error: /bands/tension_N/min: unknown key, known are \"max\"; expected [low, high] or {\"max\": high}"},
         {with("\"tension_N\": [0.1, 1]", "\"tension_N\": [1]"), "a.json:18:61: error: /bands/tension_N: expected [low, high] or {\"max\": high}, found a list of 1"},
         {with("\"tension_N\": [0.1, 1]", "\"time_s\": [130, 150]"), "a.json:18:58: error: /bands/time_s: the drill ends before, at time_limit_s, which is 120 s"},
         {sample::sewn("\"bites\": [1.5, 2]"), "a.json:18:23: error: /bands/bites/0: expected a whole number, found 1.5"},
