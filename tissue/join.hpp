@@ -62,6 +62,7 @@ struct Join {
     double deepest_thread = 0;           ///< ... and how deep its middle is at most [m].
     double leak_of_line = 0, leak_of_holes = 0;  ///< [m^3/s]
 
+    bool is_sewn() const { return !stitches.empty(); }  ///< Else nothing but their place holds the ends together.
     double leak() const { return leak_of_line + leak_of_holes; }
 };
 

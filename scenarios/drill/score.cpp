@@ -275,7 +275,9 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
     score_join(drill, measures, items);
     score_time(drill, measures, items);
     score_tools(drill, measures, items);
-    const std::string too_hard = measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught." :
+    const std::string broke = measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught." : "";
+    if (measures.broke_s) items.push_back({"broke", "Thread broke", "yes", "", "never", false, *measures.broke_s, broke});
+    const std::string too_hard = measures.broke_s ? broke :
         "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop when the throw is flat, or the edges meet.";
     items.push_back(
         judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s, too_hard,

@@ -76,7 +76,7 @@ void score_join(const Drill& drill, const world::Measures& measures, std::vector
     const double at_s = measures.duration_s;
     if (join.lapses.empty()) {
         if (bands.gap_mm || bands.lumen || bands.leak_mL_min || bands.lapses)
-            items.push_back({"join", "Join", "none", "", "both ends sewn", false, at_s, "There is no join to judge: each of the two ends needs a bite that thread goes through."});
+            items.push_back({"join", "Join", "none", "", "both ends sewn", false, at_s, "There is no join to judge: no thread goes through a bite in each of the two ends."});
         return;
     }
     items.push_back(judged({"gap", "Widest gap of the suture line", "mm", join.gap_mm, 2, at_s, "The ends do not meet all round: bring them together before you tie, and space stitches evenly.", "The gap is narrower than asked."}, bands.gap_mm));

@@ -69,6 +69,7 @@ void World::judge_sewing() {
     if (!sewn) return;
     const auto of = [&](const SoftVessel& vessel) { return tissue::SewnVessel{vessel.tissue.rest(), vessel.skin, vessel.bites.bites(), vessel.bites.def().axis}; };
     const tissue::Join join = tissue::judge(of(vessels_[0]), of(vessels_[1]), threads, def_.thread.diameter);
+    if (!join.is_sewn()) return;
     for (const tissue::LinePiece& piece : join.line) measures_.join.gap_mm = std::max(measures_.join.gap_mm, 1e3 * piece.gap);
     measures_.join.lumen_ratio = join.lumen_ratio;
     measures_.join.leak_ml_min = tissue::in_ml_per_min(join.leak());

@@ -98,6 +98,18 @@ TEST(Join, MeasuresACleanOne) {
     EXPECT_NEAR(join.leak_of_holes, expected, 1e-12 * expected);
 }
 
+// Ends with a thread of its own in each, or one that was cut between them, met in their clamps and were judged as if they were sewn.
+TEST(Join, IsSewnByAThreadThroughBothEnds) {
+    Operation operation;
+    operation.begin();
+    operation.bite(0, {0}, Side::outer, Side::inner, 1);
+    operation.begin();
+    operation.bite(1, {0}, Side::inner, Side::outer, 2);
+    EXPECT_FALSE(operation.judge().is_sewn());
+    operation.stitch({90}, {90});
+    EXPECT_TRUE(operation.judge().is_sewn());
+}
+
 // A half circle of 1.5 mm drawn through both walls, which hold still, instead of bites by hand; the thread is tightened so far that it lies on the inside.
 TEST(Join, KnowsTheBitesOfANeedle) {
     Operation operation;

@@ -68,6 +68,7 @@ TEST(Score, ABrokenThreadIsToldInsteadOfAThrowThatWasNotPulledThrough) {
     m.knot.knot = "0_1";
     EXPECT_EQ(item("knot", m).why.find("broke"), std::string::npos);
     m.broke_s = 13.71;
+    EXPECT_FALSE(item("broke", m).passed) << "asked or not";
     EXPECT_EQ(item("knot", m).why.rfind("The thread broke at 13.71 s", 0), 0u) << item("knot", m).why;
     m.tension_max_N = {2, 13.6};
     EXPECT_EQ(item("tension", m).why.rfind("The thread broke at 13.71 s", 0), 0u) << item("tension", m).why;
