@@ -31,13 +31,16 @@ std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
     return one_line(command + ": error: " + what + "; see " + command + " --help");
 }
 
+// A script's variable that is not set: nothing would be written, without a word.
+std::string not_empty(const std::string& name) { return name.empty() ? "is empty, expected a name" : ""; }
+
 void add_run(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("run", "Play a drill without a window, as fast as it can");
     auto options = std::make_shared<RunOptions>();
     command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
-    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)");
-    command->add_option("--record", options->record, "Record the session to this file");
-    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames");
+    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)")->check(not_empty);
+    command->add_option("--record", options->record, "Record the session to this file")->check(not_empty);
+    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames")->check(not_empty);
     command->add_option("--thread", options->thread, "How the thread moves: ftl (by geometry) or elastic (by forces)");
     command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
         ->check(CLI::Range(0, 10000))
@@ -51,7 +54,7 @@ void add_replay(CLI::App& program, Chosen& chosen) {
     auto options = std::make_shared<ReplayOptions>();
     command->add_option("RECORDING", options->recording, "Recording of a session")->required();
     command->add_flag("--verify", options->verify, "Compare every stored state hash; exit 3 if one differs");
-    command->add_option("--out", options->out, "Folder for result.json and report.html");
+    command->add_option("--out", options->out, "Folder for result.json and report.html")->check(not_empty);
     command->add_flag("--json", options->json, "Print result.json on stdout");
     command->callback([=, &chosen] { chosen = [options] { return replay_command(*options); }; });
 }

@@ -6,10 +6,10 @@
 namespace app {
 
 /// Called before long work, so that a mistyped path costs nothing. Throws InputFault, which names the option, when no
-/// file can be written at `file`, or when it is one of those that are to be `read`. Makes no file; what is there stays as
+/// file can be written at `file`, or when it is one of the `others` that the command reads or writes. Makes no file; what is there stays as
 /// it is.
 void expect_writable(std::string_view option, const std::filesystem::path& file,
-                     std::initializer_list<std::filesystem::path> read = {});
+                     std::initializer_list<std::filesystem::path> others = {});
 
 /// The same for a folder, which is made if missing.
 void make_folder(std::string_view option, const std::filesystem::path& folder);

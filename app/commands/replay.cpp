@@ -46,10 +46,10 @@ Comparison play(Session& session, const Recording& recording, bool to_the_end) {
     return comparison;
 }
 
-// A session that came to its end stored the hash of its last tick, on which all before have had their influence.
+// A session that came to its end stored the hash of its last tick, on which all before have had their influence; one that was broken off may lack its last.
 bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
     const auto& hashes = recording.hashes;
-    if (compared < hashes.size()) return false;
+    if (compared < hashes.size() || compared + 1 < recording.ticks() / scenarios::recording::hash_period) return false;
     return !recording.finished || (!hashes.empty() && hashes.back().tick == recording.ticks());
 }
 

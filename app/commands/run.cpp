@@ -49,7 +49,7 @@ std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& mot
             frames.push_back(session.snapshot(""));
         if (recorder) {
             recorder->add_tick(inputs);
-            constexpr std::uint64_t hash_period = 100;
+            using scenarios::recording::hash_period;
             if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
             for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
         }
@@ -84,7 +84,7 @@ int run_command(const RunOptions& options) {
     std::vector<ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);
     Session session(drill, start);
-    if (!options.out.empty()) expect_output(options.out, {options.drill, motion_file});
+    if (!options.out.empty()) expect_output(options.out, {options.drill, motion_file, options.record});
     auto recorder = open_recorder(options, drill);
 
     const double length_s = std::min(motion.duration() + scenarios::drill::settling_s, drill.time_limit_s);

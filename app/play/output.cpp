@@ -80,9 +80,9 @@ std::vector<unsigned char> picture_of(const Session& session, const Snapshot& sn
     return draw::encode_png(draw::render(canvas, picture));
 }
 
-void expect_output(const std::filesystem::path& dir, std::initializer_list<std::filesystem::path> read) {
+void expect_output(const std::filesystem::path& dir, std::initializer_list<std::filesystem::path> others) {
     make_folder("--out", dir);
-    for (const char* name : {"result.json", "report.html", "end.png", "end-close.png"}) expect_writable("--out", dir / name, read);
+    for (const char* name : {"result.json", "report.html", "end.png", "end-close.png"}) expect_writable("--out", dir / name, others);
 }
 
 static std::string frame_name(std::size_t i) {

@@ -65,7 +65,8 @@ class Reader {
 
     void check_files() const {
         for (std::size_t i = 0; i < drill_.world.vessels.size(); ++i) check_mesh(i);
-        if (!drill_.motion.empty() && !std::filesystem::is_regular_file(drill_.motion))
+        std::error_code unreadable;  // as a name of more than 255 characters is
+        if (!drill_.motion.empty() && !std::filesystem::is_regular_file(drill_.motion, unreadable))
             document_.fail("/motion", "no such file: " + drill_.motion.string());
     }
 
@@ -75,7 +76,8 @@ class Reader {
         if (!vessel.contains("mesh")) return;
         const std::string pointer = "/vessels/" + std::to_string(i) + "/mesh/";
         const std::filesystem::path file = drill_.world.vessels[i].mesh_file;
-        if (!std::filesystem::is_regular_file(file)) document_.fail(pointer + "file", "no such file: " + file.string());
+        std::error_code unreadable;
+        if (!std::filesystem::is_regular_file(file, unreadable)) document_.fail(pointer + "file", "no such file: " + file.string());
         const std::string found = sha256(read_text(file, most_mesh_bytes));
         if (found != vessel["mesh"]["sha256"])
             document_.fail(pointer + "sha256", "the file is not the one meant, its SHA-256 is " + found);

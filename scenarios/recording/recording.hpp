@@ -25,6 +25,9 @@ struct Asset {
     std::string name, sha256;
 };
 
+/// Ticks from one stored state hash to the next; the last tick of a session has one too.
+constexpr std::uint64_t hash_period = 100;
+
 /// What a session is played with.
 struct Head {
     std::string drill_text;  ///< The drill file itself, byte for byte.

@@ -191,7 +191,7 @@ TEST(BadInput, ADamagedRecordingIsNamed) {
         forge(sql);
         expect_named(sql, all);
     }
-    for (const char* sql : {"DELETE FROM state_hash", "DELETE FROM state_hash WHERE tick > 300",
+    for (const char* sql : {"DELETE FROM state_hash", "DELETE FROM state_hash; DELETE FROM finished", "DELETE FROM state_hash WHERE tick > 300",
                             "UPDATE state_hash SET tick = tick + 100000 WHERE tick = 200", "UPDATE state_hash SET tick = -tick"}) {
         forge(sql);
         expect_named(sql, {verify});
@@ -229,6 +229,13 @@ TEST(BadInput, ARecordingOfAnotherMeshIsNamed) {
     program::expect_one_line_naming(mesh, program::run({"replay", recording}));
 }
 
+TEST(BadInput, ANameThatIsTooLongIsNoFile) {
+    const Folder folder;
+    const std::string too_long(300, 'x');
+    folder.write("drill.json", program::replaced(program::read(still::drill), "square-knot.csv", too_long));
+    program::expect_one_line_naming("/motion: no such file", program::run({"validate", folder.path("drill.json")}));
+}
+
 // Where the answer cannot be written it must be said before the work, and nothing that is there may be lost.
 TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
     const Folder folder, other;
@@ -251,6 +258,8 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {notes, run_to("--record", notes + "/x")},
              {notes, run_to("--out", notes)},
              {"/proc/x", run_to("--out", "/proc/x")},
+             {"--out", run_to("--out", "")},
+             {other.path("report.html"), {"run", still::drill, "--input", motion, "--out", other.path(""), "--record", other.path("report.html")}},
              {"--frames", run_to("--frames", "3")},  // nowhere to go
              {"/nowhere/x.csv", {"motion", waypoints, "--out", "/nowhere/x.csv"}},
              {folder.path(""), {"motion", waypoints, "--out", folder.path("")}},
