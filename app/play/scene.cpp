@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/fault.hpp"
+#include "app/play/starts.hpp"
 #include "sim/geometry/portable_math.hpp"
 #include "sim/geometry/resample.hpp"
 #include "sim/geometry/triangle_tree.hpp"
@@ -68,6 +69,7 @@ scenarios::world::WorldDef with_walls(scenarios::world::WorldDef def) {
         check_wall(vessel);
         check_starts_are_clear(def, vessel.mesh_file, mesh);
     }
+    check_soft_starts(def);
     return def;
 }
 

@@ -147,6 +147,42 @@ TEST(BadInput, AMeshIsRefusedByName) {
     }
 }
 
+// What is cut aslant is known only once its wall is made. A thread in one goes through it thousands of times.
+TEST(BadInput, NothingStartsInAWallThatGivesWay) {
+    const Folder folder;
+    folder.write("single-bite.csv", program::read(CARREL_SOURCE "/scenarios/drills/single-bite.csv"));
+    std::string good = program::read(CARREL_SOURCE "/scenarios/drills/single-bite.json");
+    for (int end = 0; end < 2; ++end) good = program::replaced(good, "\"length_mm\": 4}", "\"length_mm\": 4, \"cut_angle_deg\": 45}");
+    const std::string drill = folder.write("drill.json", good);
+    ASSERT_EQ(program::run({"validate", drill}).exit, 0);
+    for (const auto& [from, to, blamed] : std::vector<std::array<std::string, 3>>{
+             {R"("tail_mm": [1.022, 0, 8.605], "towards": [-4.44, 0, -5.79], "bulge": [-3.134, 0, 2.405]},
+    "start_mm": [[2.4, 1.5, 8.2])", R"("tail_mm": [-3.5, 0, 6], "towards": [0, 0, -1], "bulge": [0, 1, 0]},
+    "start_mm": [[-3.5, -3, 7.5])", "vessel \"left-end\": error: /vessels/0: the needle"},
+             {"\"centre_mm\": [3.5, 0, 0]", "\"centre_mm\": [-3, 0, 0]", "vessel \"right-end\": error: /vessels/1: it starts in the wall of \"left-end\""}}) {
+        folder.write("drill.json", program::replaced(good, from, to));
+        for (const char* command : {"validate", "run"}) program::expect_one_line_naming(blamed, program::run({command, drill}));
+    }
+}
+
+// A box whose wall is half a millimetre thick; the thread is in that, and touches no side of it.
+TEST(BadInput, NoThreadStartsInAWallThatIsAMesh) {
+    const Folder folder;
+    folder.write("box.obj", "v -9 -9 -9\nv 9 -9 -9\nv 9 9 -9\nv -9 9 -9\nv -9 -9 9\nv 9 -9 9\nv 9 9 9\nv -9 9 9\nf 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\n"
+                            "f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
+    std::string text = R"({"carrel_drill": 1, "title": "Box", "thread": {"size": "6-0", "length_mm": 8, "links": 40, "start_mm": [[-4, 0, 8.75], [4, 0, 8.75]]},
+      "vessels": [{"name": "box", "mesh": {"file": "box.obj", "sha256": "SHA", "wall_mm": 0.5}}], "instruments": [{"name": "left", "kind": "forceps"}],
+      "effects": {"tissue": "elastic"}, "time_limit_s": 1})";
+    text = program::replaced(text, "SHA", std::string(64, '0'));
+    const std::string drill = folder.write("drill.json", text);
+    const auto told = program::run({"validate", drill});
+    text = program::replaced(text, std::string(64, '0'), told.said.substr(told.said.size() - 65, 64));
+    folder.write("drill.json", text);
+    program::expect_one_line_naming("vessel \"box\": error: /vessels/0: the thread starts in its wall, behind corner 0", program::run({"validate", drill}));
+    folder.write("drill.json", program::replaced(text, "[[-4, 0, 8.75], [4, 0, 8.75]]", "[[-4, 0, 9.75], [4, 0, 9.75]]"));
+    EXPECT_EQ(program::run({"validate", drill}).exit, 0);
+}
+
 // Where a tool is at first has nothing before it to stay at.
 TEST(BadInput, ARecordingWhoseFirstInputIsDamagedIsNamed) {
     const Folder folder;

@@ -1,0 +1,10 @@
+#pragma once
+#include "scenarios/world/defs.hpp"
+
+namespace app {
+
+/// Walls that give way, as they start, against all that must not be in them: threads, needles, each other. What the drill's reader cannot know: meshes, and ends cut
+/// aslant. Throws InputFault, which names the vessel. Vessels bitten before have a thread in them. Cost: some 50 ms.
+void check_soft_starts(const scenarios::world::WorldDef& def);
+
+}  // namespace app
