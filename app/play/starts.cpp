@@ -1,6 +1,5 @@
 #include "app/play/starts.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "app/fault.hpp"

@@ -45,6 +45,7 @@ Shape point(const std::string& about) {
     return list(about, 3, 3, quantity("x, y or z in the world.", -1000, 1000, "mm"));
 }
 
+// To a micron.
 std::string in_mm(double metres) { return shown(std::round(1e6 * metres) / 1e3); }
 
 template <typename Table>

@@ -62,6 +62,9 @@ constexpr Lesson lessons[] = {
     {"overhand", "granny", "There are two throws. An overhand knot is one."},
 };
 
+// Where broke_s is known.
+std::string how_it_broke(const world::Measures& measures) { return "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught."; }
+
 bool is_untied(const Name& name) { return name.knot == "0_1" && name.surgical.empty(); }
 
 std::string why_not_tied(const Goal& goal, const Name& found) {
@@ -89,7 +92,7 @@ void score_knot(const Goal& goal, const world::Measures& measures, std::vector<S
                    measures.knot_since_s,
                    ""};
     if (!item.passed)
-        item.why = is_untied(name) && measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught. There is no knot in what is left of it."
+        item.why = is_untied(name) && measures.broke_s ? how_it_broke(measures) + " There is no knot in what is left of it."
                                                        : why_not_tied(goal, name);
     items.push_back(item);
 }
@@ -275,9 +278,8 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
     score_join(drill, measures, items);
     score_time(drill, measures, items);
     score_tools(drill, measures, items);
-    const std::string broke = measures.broke_s ? "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught." : "";
-    if (measures.broke_s) items.push_back({"broke", "Thread broke", "yes", "", "never", false, *measures.broke_s, broke});
-    const std::string too_hard = measures.broke_s ? broke :
+    if (measures.broke_s) items.push_back({"broke", "Thread broke", "yes", "", "never", false, *measures.broke_s, how_it_broke(measures)});
+    const std::string too_hard = measures.broke_s ? how_it_broke(measures) :
         "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop when the throw is flat, or the edges meet.";
     items.push_back(
         judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s, too_hard,

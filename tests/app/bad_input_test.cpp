@@ -71,16 +71,21 @@ void add_waypoints(std::vector<Case>& all) {
         all.push_back({{"motion", "FILE", "--out", never("never.csv")}, text, ".waypoints"});
 }
 
-/// A drill whose vessel is this mesh; writes the mesh and a short motion beside it. The program itself says its SHA-256.
+/// A drill with its mesh's SHA-256, as the program itself says it, in place of one of zeros.
+std::string with_sum(const Folder& folder, const std::string& drill) {
+    const auto told = program::run({"validate", folder.write("drill.json", drill)});
+    program::expect_one_line_naming("/vessels/0/mesh/sha256", told);
+    return program::replaced(drill, std::string(64, '0'), told.said.substr(told.said.size() - 65, 64));
+}
+
+/// A drill whose vessel is this mesh; writes the mesh and a short motion beside it.
 std::string drill_of_mesh(const Folder& folder, const std::string& mesh) {
     folder.write("vessel.obj", mesh);
     folder.write("motion.csv", still::motion("0.05"));
     const std::string tube = "\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}", wrong(64, '0');
     std::string drill = program::replaced(program::read(still::drill), "square-knot.csv", "motion.csv");
     drill = program::replaced(drill, tube, "\"mesh\": {\"file\": \"vessel.obj\", \"sha256\": \"" + wrong + "\"}");
-    const auto told = program::run({"validate", folder.write("drill.json", drill)});
-    program::expect_one_line_naming("/vessels/0/mesh/sha256", told);
-    return program::replaced(drill, wrong, told.said.substr(told.said.size() - 65, 64));
+    return with_sum(folder, drill);
 }
 
 void expect_refused(const Case& c, const Folder& folder, const std::string& blamed) {
@@ -173,11 +178,8 @@ TEST(BadInput, NoThreadStartsInAWallThatIsAMesh) {
     std::string text = R"({"carrel_drill": 1, "title": "Box", "thread": {"size": "6-0", "length_mm": 8, "links": 40, "start_mm": [[-4, 0, 8.75], [4, 0, 8.75]]},
       "vessels": [{"name": "box", "mesh": {"file": "box.obj", "sha256": "SHA", "wall_mm": 0.5}}], "instruments": [{"name": "left", "kind": "forceps"}],
       "effects": {"tissue": "elastic"}, "time_limit_s": 1})";
-    text = program::replaced(text, "SHA", std::string(64, '0'));
+    text = with_sum(folder, program::replaced(text, "SHA", std::string(64, '0')));
     const std::string drill = folder.write("drill.json", text);
-    const auto told = program::run({"validate", drill});
-    text = program::replaced(text, std::string(64, '0'), told.said.substr(told.said.size() - 65, 64));
-    folder.write("drill.json", text);
     program::expect_one_line_naming("vessel \"box\": error: /vessels/0: the thread starts in its wall, behind corner 0", program::run({"validate", drill}));
     folder.write("drill.json", program::replaced(text, "[[-4, 0, 8.75], [4, 0, 8.75]]", "[[-4, 0, 9.75], [4, 0, 9.75]]"));
     EXPECT_EQ(program::run({"validate", drill}).exit, 0);
