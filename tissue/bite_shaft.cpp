@@ -31,6 +31,27 @@ void Bites::press_shaft(const Arc& before, const Skin& skin) {
         if (is_outside(k)) shaft_.press(skin, piece(needle_, k), piece(before, k), forces_);
 }
 
+// The wire of a bite that came out where it went in bulges the skin across the wall, should it be that deep: it made no hole there, and thread that came after
+// it through no hole would be on the wrong side of that skin once the wall closes.
+void Bites::press_from_within(const Skin& skin) {
+    constexpr int samples = 8;
+    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
+        const Bite& bite = of(crossings_[i]);
+        if (bite.entry.side != bite.exit.side) continue;
+        const Vec3 across = -skin.normal_of_hole(crossings_[i].hole);
+        const double tail = std::max(0.0, crossings_[i].along), tip = std::min(needle_.length(), crossings_[i + 1].along);
+        for (int k = 1; k < samples && tail < tip; ++k) {
+            const Vec3 at = needle_.at(tail + (tip - tail) * k / samples);
+            const Skin::Spot spot = skin.closest(at, at, def_.wall, across);
+            if (spot.triangle < 0 || skin.side_of_face(skin.face(spot.triangle)) == bite.entry.side) continue;
+            const int face = skin.face(spot.triangle);
+            const Vec3 out = skin.normal_of_face(face);
+            const double deep = (at - spot.at).dot(out) + needle_.wire;
+            if (deep > 0) forces_.push_back({skin.point_of_face(face, skin.weights_in_face(face, spot.at)), def_.stiffness * deep * out, def_.stiffness, out});
+        }
+    }
+}
+
 void Bites::settle_shaft(const Skin& skin) {
     for (int k = 0; k < pieces; ++k)
         if (is_outside(k)) force_ += shaft_.force(skin, piece(needle_, k));
