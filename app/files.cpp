@@ -52,7 +52,12 @@ void make_folder(std::string_view option, const fs::path& folder) {
 void write_file(const fs::path& file, std::string_view bytes) {
     std::ofstream out(file, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written: " + std::strerror(errno));
+    if (out.flush()) return;
+    const std::string why = std::strerror(errno);
+    out.close();
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+    throw std::runtime_error(file.string() + ": cannot be written: " + why);
 }
 
 }  // namespace app

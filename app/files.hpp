@@ -17,7 +17,7 @@ void make_folder(std::string_view option, const std::filesystem::path& folder);
 /// Throws InputFault when `file` does not end in `ending` (".png"): a slip of the hand must not cost a file of another kind.
 void expect_ending(std::string_view option, const std::filesystem::path& file, std::string_view ending);
 
-/// The whole file at once. Throws std::runtime_error: the system failed, for instance a full disk.
+/// The whole file at once, or none: half a report looks like one. Throws std::runtime_error: the system failed, for instance a full disk.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace app

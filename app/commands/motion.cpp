@@ -8,7 +8,7 @@ int motion_command(const MotionOptions& options) {
     expect_writable("--out", options.out, {options.waypoints});
     expect_ending("--out", options.out, ".csv");
     const auto waypoints = scenarios::drill::load_waypoints(options.waypoints);
-    scenarios::drill::write_motion(options.out, waypoints.motion, waypoints.instruments);
+    write_file(options.out, scenarios::drill::motion_text(waypoints.motion, waypoints.instruments));
     return 0;
 }
 

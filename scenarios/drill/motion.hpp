@@ -48,7 +48,4 @@ Motion parse_motion(const std::string& text, const std::string& name, std::span<
 /// The text of a motion file with these keys, rows in order of time; what is read back differs by rounding alone.
 std::string motion_text(const Motion& motion, std::span<const std::string> instruments);
 
-/// Writes it. Throws std::runtime_error if that fails.
-void write_motion(const std::filesystem::path& file, const Motion& motion, std::span<const std::string> instruments);
-
 }  // namespace scenarios::drill

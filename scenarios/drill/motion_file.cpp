@@ -2,7 +2,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
 #include "scenarios/drill/motion.hpp"
 #include "scenarios/drill/nearest.hpp"
@@ -147,13 +146,6 @@ std::string motion_text(const Motion& motion, std::span<const std::string> instr
         text += "\n";
     }
     return text;
-}
-
-void write_motion(const std::filesystem::path& file, const Motion& motion, std::span<const std::string> instruments) {
-    std::ofstream stream(file, std::ios::binary);
-    stream << motion_text(motion, instruments);
-    stream.close();
-    if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 }  // namespace scenarios::drill

@@ -1,4 +1,5 @@
 #include <sqlite3.h>
+#include <sys/resource.h>
 
 #include <cmath>
 
@@ -332,6 +333,23 @@ TEST(BadInput, AnAnswerThatCannotBePrintedIsAFault) {
         ASSERT_GT(waitpid(program::start(call, "/dev/full", folder.path("said")), &status, 0), 0);
         EXPECT_EQ(WEXITSTATUS(status), 1) << call.front();
     }
+}
+
+// A disk that fills up while it is written: half a motion looks like one that ends there.
+TEST(BadInput, AFileThatCannotBeWrittenToItsEndIsNotLeft) {
+    const Folder folder;
+    const std::string made = folder.path("made.csv");
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = signal(SIGXFSZ, SIG_IGN);  // the program is to be told, not killed
+    const rlimit small{4096, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const auto ending = program::run({"motion", CARREL_SOURCE "/scenarios/drills/square-knot.waypoints", "--out", made});
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, handler);
+    EXPECT_EQ(ending.exit, 1);
+    EXPECT_NE(ending.said.find(made + ": cannot be written: "), std::string::npos) << ending.said;
+    EXPECT_FALSE(std::filesystem::exists(made));
 }
 
 // A mistyped option is bad input like any other: one line that says what to look up.

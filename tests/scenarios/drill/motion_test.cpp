@@ -85,7 +85,7 @@ TEST(Motion, QuaternionsAreNormalised) {
     EXPECT_NEAR(q.w(), std::sqrt(0.5), 1e-15);
 }
 
-// What write_motion saves must play the same motion: rows of both tools, every digit.
+// What motion_text saves must play the same motion: rows of both tools, every digit.
 TEST(Motion, WrittenMotionReadsBack) {
     const Motion a = motion(quarter_turn), b = parse_motion(motion_text(a, both), "again", both);
     for (double t = 0; t <= 4; t += 0.1)
