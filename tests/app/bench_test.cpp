@@ -16,6 +16,12 @@
 
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 using app::bench::Gauge;
 using app::bench::Must;
 using app::bench::Row;
@@ -141,8 +147,10 @@ TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
         program::expect_one_line_naming("SUITE", program::run({"bench", suite}));
 }
 
-// One whole run through the real program, peers that were built included. Times are whatever they are here.
+// One whole run through the real program, peers that were built included. Times are whatever they are here. Not under the sanitizers, as the next: minutes,
+// of what rooms' own tests show them.
 TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
+    if (sanitized) GTEST_SKIP();
     const program::Folder folder;
     const std::string plot = folder.path("plot.svg");
     const auto ending = program::run({"bench", "speed", "--quick", "--json", "--plot", plot}, std::chrono::seconds(600));
@@ -163,6 +171,7 @@ TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
 
 // Both threads are asked the same, and the elastic one bends as theory says while the other does not bend at all.
 TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
+    if (sanitized) GTEST_SKIP();
     const program::Folder folder;
     const std::string plots = folder.path("plots");
     const auto ending = program::run({"bench", "speed-vs-error", "--quick", "--json", "--plot", plots}, std::chrono::seconds(600));

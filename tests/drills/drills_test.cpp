@@ -142,8 +142,9 @@ TEST(Drills, AForgedRecordingIsFoundOut) {
     expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'", "replayed pass_throughs");
 }
 
-// The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips.
+// The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips. The sanitizers see the square.
 TEST(Drills, GrannyFailsItsGoalAndSaysWhy) {
+    if (sanitized) GTEST_SKIP();
     const auto result = expect_tied("granny-knot", "granny", "1x1", false, "af7bf754e519d5d0");
     for (const auto& item : result["items"])
         if (item["name"] == "knot") {
@@ -215,7 +216,7 @@ TEST(Drills, ABiteWhoseThreadIsDrawnOutHoldsNothing) {
 
 // A free edge gives way to the needle, which goes over it: held by nothing it is missed, and the resident learns where and what to do.
 TEST(Drills, AMissedBiteSaysWhereTheNeedleSlipped) {
-    const Played played = play("single-bite", "--input " + motion_until("single-bite", 5, "left").string());
+    const Played played = play("single-bite", "--input " + motion_until("single-bite", sanitized ? 2 : 5, "left").string());
     EXPECT_EQ(value_of(played, "bites"), "0") << "the other has no thread in it yet";
     const auto& items = played.result["items"];
     const auto bites = std::find_if(items.begin(), items.end(), [](const auto& item) { return item["name"] == "bites"; });
@@ -251,13 +252,13 @@ TEST(Drills, ARunningSutureGoesRoundTheVessel) {
 }
 
 // Threads that lie ready, three and eight: all of it takes half an hour and more. Here the first needle is fetched, and its thread's other end by the assistant,
-// and of three taken through both ends beside the two that wait; under the sanitizers it is fetched.
+// and of three taken through both ends beside the two that wait. The sanitizers see a spare in scenarios_world_test.
 class Spares : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Spares, WaitWhileTheFirstIsTakenFromWhereItLies) {
     const std::string drill = GetParam();
-    const bool three = drill == "stay-sutures", taken = three && !sanitized;
-    if (sanitized && !three) GTEST_SKIP() << "they see three";
+    if (sanitized) GTEST_SKIP();
+    const bool taken = drill == "stay-sutures";
     const Played played = play(drill, "--input " + motion_until(drill, taken ? 14.2 : 7.4).string());
     EXPECT_EQ(played.exit, 0);
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);

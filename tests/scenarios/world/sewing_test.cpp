@@ -162,9 +162,8 @@ TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
     EXPECT_EQ(in_use(), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, SewingTest, testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false}, Case{"ftl_few_links", "ftl", 15, false},
-                                                                      Case{"elastic_few_links", "elastic", 15, false}, Case{"ftl_spare", "ftl", 130, true},
-                                                                      Case{"elastic_spare", "elastic", 130, true}),
+INSTANTIATE_TEST_SUITE_P(Models, SewingTest, testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false}, Case{"ftl_few_links_and_a_spare", "ftl", 15, true},
+                                                                      Case{"elastic_few_links_and_a_spare", "elastic", 15, true}),
     [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace sewing
