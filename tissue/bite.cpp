@@ -51,7 +51,6 @@ void Bites::press(const Arc* needle, const Skin& skin) {
     if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
     for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
     press_shaft(before, skin);
-    press_from_within(skin);
 }
 
 void Bites::settle(Skin& skin) {

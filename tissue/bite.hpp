@@ -129,8 +129,9 @@ class Bites {
     void give_rims_to_wire(Skin& skin);
     bool is_outside(int piece) const;
     void press_shaft(const Arc& before, const Skin& skin);
-    void press_from_within(const Skin& skin);
     void settle_shaft(const Skin& skin);
+    template <class Push>
+    void bulge(const Skin& skin, const Push& push) const;
     void begin_touch(const Vec3& tip_before, const Skin& skin);
     void touch_at(const Skin& skin, const Skin::Spot& spot);
     Skin::Spot behind_tip(const Skin& skin) const;

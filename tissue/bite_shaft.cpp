@@ -1,4 +1,4 @@
-// What of a needle is in no wall: it pushes, and never passes.
+// What of a needle is in no wall, or should be and is not: it pushes, and never passes.
 #include <algorithm>
 
 #include "tissue/bite.hpp"
@@ -26,17 +26,13 @@ bool Bites::is_outside(int k) const {
     return true;
 }
 
-void Bites::press_shaft(const Arc& before, const Skin& skin) {
-    for (int k = 0; k < pieces; ++k)
-        if (is_outside(k)) shaft_.press(skin, piece(needle_, k), piece(before, k), forces_);
-}
-
 // The wire of a bite that came out where it went in bulges the skin across the wall, should it be that deep: it made no hole there, and thread that came after
 // it through no hole would be on the wrong side of that skin once the wall closes.
-void Bites::press_from_within(const Skin& skin) {
+template <class Push>
+void Bites::bulge(const Skin& skin, const Push& push) const {
     constexpr int samples = 8;
     for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
-        const Bite& bite = of(crossings_[i]);
+        const Bite& bite = bites_[static_cast<std::size_t>(crossings_[i].bite)];
         if (bite.entry.side != bite.exit.side) continue;
         const Vec3 across = -skin.normal_of_hole(crossings_[i].hole);
         const double tail = std::max(0.0, crossings_[i].along), tip = std::min(needle_.length(), crossings_[i + 1].along);
@@ -47,14 +43,21 @@ void Bites::press_from_within(const Skin& skin) {
             const int face = skin.face(spot.triangle);
             const Vec3 out = skin.normal_of_face(face);
             const double deep = (at - spot.at).dot(out) + needle_.wire;
-            if (deep > 0) forces_.push_back({skin.point_of_face(face, skin.weights_in_face(face, spot.at)), def_.stiffness * deep * out, def_.stiffness, out});
+            if (deep > 0) push(skin.point_of_face(face, skin.weights_in_face(face, spot.at)), def_.stiffness * deep, out);
         }
     }
+}
+
+void Bites::press_shaft(const Arc& before, const Skin& skin) {
+    for (int k = 0; k < pieces; ++k)
+        if (is_outside(k)) shaft_.press(skin, piece(needle_, k), piece(before, k), forces_);
+    bulge(skin, [&](const MaterialPoint& at, double size, const Vec3& out) { forces_.push_back({at, size * out, def_.stiffness, out}); });
 }
 
 void Bites::settle_shaft(const Skin& skin) {
     for (int k = 0; k < pieces; ++k)
         if (is_outside(k)) force_ += shaft_.force(skin, piece(needle_, k));
+    bulge(skin, [&](const MaterialPoint&, double size, const Vec3& out) { force_ -= size * out; });
 }
 
 }  // namespace tissue
