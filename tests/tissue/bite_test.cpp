@@ -148,6 +148,32 @@ TEST(Bites, TellPartialThickness) {
     EXPECT_NEAR(scene.bites.bites()[0].angle_to_axis, std::numbers::pi / 2, 0.1);
 }
 
+// 0.6 mm deep in a wall of 0.5: the inner skin gives way rather than be pierced so flat. The wire stays in the wall all the same, and bears what it does to that.
+TEST(Bites, KeepAWireInTheWallThatGrazesTheLumen) {
+    constexpr double aslant = 31.0 / 180 * std::numbers::pi;
+    const Vec3 way(-std::cos(aslant), -std::sin(aslant), 0), bend(-std::sin(aslant), std::cos(aslant), 0);
+    Stitching scene({.puncture = 8e-3}, {.length = 10e-3});
+    const Swing needle{{6e-3, 2e-3, 0}, way, bend};
+    constexpr double end = 6e-3;
+    Log log;
+    swing(scene, needle, -0.8e-3, end, log);
+    ASSERT_EQ(log[0], "pt");
+    ASSERT_EQ(scene.bites.bites().size(), 1u);
+    EXPECT_TRUE(scene.bites.bites()[0].partial());
+    const Arc arc = needle.at(end / needle.radius);
+    constexpr int until_it_rests = 200;
+    for (int i = 0; i < until_it_rests; ++i) scene.go(&arc);
+    double pressed = 0;
+    Vec3 on_wall = Vec3::Zero();
+    for (const PointForce& force : scene.bites.forces()) on_wall += force.force, pressed += force.force.norm();
+    EXPECT_LT((scene.bites.force() + on_wall).norm(), 0.01 * pressed);
+    constexpr double below_holes = 0.2e-3;
+    for (double along = 0; along < arc.length(); along += arc.wire) {
+        const Vec3 at = arc.at(along);
+        EXPECT_TRUE(at.y() > 2e-3 - below_holes || is_in_wall(scene.mesh.tetrahedra, scene.tissue.nodes(), at)) << at.transpose();
+    }
+}
+
 // Through the lumen and the wall across: two bites of one pass.
 TEST(Bites, TellBothWalls) {
     Stitching scene({.puncture = 2e-3});
