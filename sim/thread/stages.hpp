@@ -20,9 +20,10 @@ constexpr double bound_share = 0.45;           ///< Two neighbours that each use
 /// How the thread answers when held nodes move. Least motion first: all nodes together move as little as the lengths
 /// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread as
 /// if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its leader.
+/// Drawn over walls, through ten bites, it must slide along itself: neither is found.
 /// Where strands are jammed in each other and no answer is found for them, what presses stays where it is and the slack
 /// around it answers: a knot pulled tight must not hold up the hands that let go of it. What is unfinished is gone on with.
-enum class Answer { drift, follow_the_leader, keep_what_presses, go_on };
+enum class Answer { drift, follow_the_leader, slide, keep_what_presses, go_on };
 /// What an answer may cost at most: passes over contacts and lengths in turn, then solves of both together.
 struct Effort {
     int passes, couplings;
@@ -60,6 +61,15 @@ void place_held(State& state);
 void carry_taut_spans(State& state);
 /// Follow-The-Leader from every held node outwards.
 void follow_leader(State& state);
+
+/// Whether the thread lies at walls and is only drawn, away from free ends.
+bool may_slide(const State& state);
+/// Whether free ends followed in the last substep: there is no slack to take up first.
+bool is_taut(const State& state);
+/// What share of the way the thread can so follow in one step.
+double share_of_slide(const State& state, double way);
+/// Along itself after what leads it; returns the worst violation left, 1 where tools must wait (slide.cpp).
+double slide_along(State& state);
 
 /// One Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it (lengths.cpp).
 double solve_lengths(State& state);

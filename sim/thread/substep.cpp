@@ -58,7 +58,23 @@ static void begin_answer(State& state, double way, Answer answer) {
     lie_on_steel(state);
 }
 
+static void begin_slide(State& state) {
+    std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
+    std::fill(state.carried.begin(), state.carried.end(), Vec3::Zero());
+    state.on_steel.clear();
+    for (Row& row : state.rows) {
+        row.normal_push = 0;
+        row.tangent_push.setZero();
+        row.glides = row.pressed = false;
+    }
+    place_held(state);
+}
+
 static double try_answer(State& state, double way, Answer answer, Effort effort) {
+    if (answer == Answer::slide) {
+        begin_slide(state);
+        return slide_along(state);
+    }
     if (answer == Answer::go_on) {
         state.nodes = state.unfinished.nodes;
         place_held(state);

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/geometry/at.hpp"
+#include "sim/thread/stages.hpp"
+
+// A strand that is drawn over walls, its other end free, follows itself: each node goes where the next one was. Least motion would rather draw it into the wall
+// at one corner than all that follows round the next.
+namespace sim::thread {
+
+static bool is_at_wall(const State& state, const Row& row) { return row.against == Against::surface && row.distance < row.thickness + state.def.radius; }
+
+// Every piece is led by one tool at most, away from what follows.
+bool may_slide(const State& state) {
+    if (state.rod || std::none_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return is_at_wall(state, row); })) return false;
+    bool is_led = false;
+    std::size_t last = state.nodes.size();  // that is held in this piece
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        if (state.is_first(i)) last = state.nodes.size();
+        if (state.inverse_mass[i] > 0) continue;
+        if (last < i && last + 1 != i) return false;
+        last = i;
+    }
+    for (std::size_t h = 0; h < state.hold_from.size(); ++h) {
+        const auto i = at(state.input.holds[h].node);
+        const Vec3 way = state.input.holds[h].target - state.hold_from[h];
+        const auto pulls = [&](std::size_t follower) { return state.inverse_mass[follower] == 0 || way.dot(state.nodes[i] - state.nodes[follower]) >= 0; };
+        if ((!state.is_first(i) && !pulls(i - 1)) || (!state.is_last(i) && !pulls(i + 1))) return false;
+        is_led = is_led || !way.isZero(0);
+    }
+    return is_led;
+}
+
+bool is_taut(const State& state) {
+    constexpr double followed = 0.5;  // of the way
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+        if (state.is_end(i) && state.inverse_mass[i] > 0 && state.following[i] < followed) return false;
+    return true;
+}
+
+// The point of the way from the follower's old place to its leader's that is at rest length from the leader's new one.
+static Vec3 along_itself(const Vec3& leader, const Vec3& leader_was, const Vec3& was, double rest) {
+    const Vec3 way = leader_was - was, off = was - leader;
+    const double a = way.squaredNorm(), b = way.dot(off), c = off.squaredNorm() - rest * rest, root2 = b * b - a * c;
+    const double share = root2 > 0 && a > 0 ? (-b - std::sqrt(root2)) / a : -1;
+    return share >= 0 && share <= 1 ? Vec3(was + share * way) : Vec3(leader + rest * off.stableNormalized());
+}
+
+template <class Follow>
+static void from_holds(State& state, const Follow& follow) {
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        if (state.inverse_mass[i] > 0) continue;
+        for (std::size_t k = i; !state.is_last(k) && state.inverse_mass[k + 1] > 0; ++k) follow(k, k + 1, k);
+        for (std::size_t k = i; !state.is_first(k) && state.inverse_mass[k - 1] > 0; --k) follow(k, k - 1, k - 1);
+    }
+}
+
+// What pulls at each link, as a share of what pulls at the free end: more by the capstan law at every node that turns it at a wall.
+static void measure_pull(State& state) {
+    std::vector<double>& drag = state.multiplier;  // of links' far ends; not needed now
+    std::fill(drag.begin(), drag.end(), 0.0);
+    for (const Row& row : state.rows)
+        if (is_at_wall(state, row)) drag[at(row.link)] = row.friction;
+    const auto turn = [&](std::size_t i) { return state.is_end(i) ? 0 : std::max(drag[i - 1], drag[i]) * turn_at(state, i); };
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        if (state.inverse_mass[i] > 0) continue;
+        const auto pull = [&](std::size_t from, int step) {
+            std::size_t end = from;
+            const auto is_end = [&](std::size_t k) { return step > 0 ? state.is_last(k) : state.is_first(k); };
+            while (!is_end(end)) end += static_cast<std::size_t>(step);
+            double pulls = -1;
+            for (std::size_t k = end; k != from; k -= static_cast<std::size_t>(step)) {
+                pulls *= std::exp(turn(k));
+                state.pulled[step > 0 ? k - 1 : k] = pulls;
+            }
+        };
+        if (!state.is_last(i) && state.inverse_mass[i + 1] > 0) pull(i, 1);
+        if (!state.is_first(i) && state.inverse_mass[i - 1] > 0) pull(i, -1);
+    }
+}
+
+double share_of_slide(const State& state, double way) {
+    constexpr double for_following = 0.3;  // of the bound: a node at a rim is pushed as well, by as much as all rims before it give back
+    double share = 1;
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+        if (state.inverse_mass[i] > 0) share = std::min(share, for_following * state.bound[i] / way);
+    return share;
+}
+
+// Corners that walls are deep in are given back little by little: what all of them push draws on all that follows.
+static double hold_walls_back(State& state) {
+    constexpr double a_step = 0.006;  // of the radius; 0.003 and 0.02 draw the thread through ten bites half as fast
+    double deepest = 0;
+    for (Row& row : state.rows) {
+        deepest = std::max(deepest, over_limit(state, row));
+        row.target = std::min(row.target, row.distance + a_step * state.def.radius);
+    }
+    return deepest;
+}
+
+double slide_along(State& state) {
+    constexpr int most_passes = 16;
+    constexpr double deep_enough = 0.5;  // of what walls may be in the thread
+    const double enough = std::max(deep_enough, hold_walls_back(state));
+    from_holds(state, [&](std::size_t leader, std::size_t follower, std::size_t link) {
+        state.nodes[follower] = along_itself(state.nodes[leader], state.before[leader], state.before[follower], state.rest[link]);
+    });
+    clip(state);
+    for (int pass = 0; pass < most_passes && (aim(state) > enough || pass == 0); ++pass) {
+        ++state.work;
+        resolve_contacts(state);
+        limit_bends(state);
+        from_holds(state, [&](std::size_t leader, std::size_t follower, std::size_t link) {
+            const Vec3 d = state.nodes[follower] - state.nodes[leader];
+            state.nodes[follower] = state.nodes[leader] + state.rest[link] * d.stableNormalized();
+        });
+        clip(state);
+    }
+    measure_pull(state);
+    return std::max(worst_stretch(state, state.nodes) / stretch_tolerance, aim(state));
+}
+
+}  // namespace sim::thread
