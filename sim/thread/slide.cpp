@@ -46,8 +46,10 @@ static Vec3 along_itself(const Vec3& leader, const Vec3& leader_was, const Vec3&
     return share >= 0 && share <= 1 ? Vec3(was + share * way) : Vec3(leader + rest * off.stableNormalized());
 }
 
-template <class Follow>
-static void from_holds(State& state, const Follow& follow) {
+static void follow_along(State& state) {
+    const auto follow = [&](std::size_t leader, std::size_t follower, std::size_t link) {
+        state.nodes[follower] = along_itself(state.nodes[leader], state.before[leader], state.before[follower], state.rest[link]);
+    };
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
         if (state.inverse_mass[i] > 0) continue;
         for (std::size_t k = i; !state.is_last(k) && state.inverse_mass[k + 1] > 0; ++k) follow(k, k + 1, k);
@@ -102,18 +104,13 @@ double slide_along(State& state) {
     constexpr int most_passes = 16;
     constexpr double deep_enough = 0.5;  // of what walls may be in the thread
     const double enough = std::max(deep_enough, hold_walls_back(state));
-    from_holds(state, [&](std::size_t leader, std::size_t follower, std::size_t link) {
-        state.nodes[follower] = along_itself(state.nodes[leader], state.before[leader], state.before[follower], state.rest[link]);
-    });
+    follow_along(state);
     clip(state);
     for (int pass = 0; pass < most_passes && (aim(state) > enough || pass == 0); ++pass) {
         ++state.work;
         resolve_contacts(state);
         limit_bends(state);
-        from_holds(state, [&](std::size_t leader, std::size_t follower, std::size_t link) {
-            const Vec3 d = state.nodes[follower] - state.nodes[leader];
-            state.nodes[follower] = state.nodes[leader] + state.rest[link] * d.stableNormalized();
-        });
+        follow_leader(state);
         clip(state);
     }
     measure_pull(state);

@@ -39,13 +39,17 @@ static void let_go_of_kept(State& state) {
     state.kept.clear();
 }
 
-static void begin_answer(State& state, double way, Answer answer) {
+static void begin_pushes(State& state) {
     state.pulled_before = state.pulled;
     std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
     for (Row& row : state.rows) {
         row.normal_push = 0;
         row.tangent_push.setZero();
     }
+}
+
+static void begin_answer(State& state, double way, Answer answer) {
+    begin_pushes(state);
     recall_wraps(state);
     if (answer == Answer::drift && state.drift_way > 0) {
         constexpr double going_on = 0.95;  // less drags on what slides, more lets it slide on by itself: knots untie
@@ -59,14 +63,10 @@ static void begin_answer(State& state, double way, Answer answer) {
 }
 
 static void begin_slide(State& state) {
-    std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
+    begin_pushes(state);
     std::fill(state.carried.begin(), state.carried.end(), Vec3::Zero());
     state.on_steel.clear();
-    for (Row& row : state.rows) {
-        row.normal_push = 0;
-        row.tangent_push.setZero();
-        row.glides = row.pressed = false;
-    }
+    for (Row& row : state.rows) row.glides = row.pressed = false;
     place_held(state);
 }
 
