@@ -8,7 +8,7 @@
 // at one corner than all that follows round the next.
 namespace sim::thread {
 
-static bool is_at_wall(const State& state, const Row& row) { return row.against == Against::surface && row.distance < row.thickness + state.def.radius; }
+static bool is_at_wall(const State& state, const Row& row) { return row.against == Against::surface && is_touched(state, row); }
 
 // Every piece is led by one tool at most, away from what follows.
 bool may_slide(const State& state) {
@@ -32,7 +32,7 @@ bool may_slide(const State& state) {
 }
 
 bool is_taut(const State& state) {
-    constexpr double followed = 0.5;  // of the way
+    constexpr double followed = 0.05;  // of the way: what rims give back one step draws the tail ahead, and takes up the next; with 0.5 ten bites let half as much through
     for (std::size_t i = 0; i < state.nodes.size(); ++i)
         if (state.is_end(i) && state.inverse_mass[i] > 0 && state.following[i] < followed) return false;
     return true;
@@ -54,30 +54,6 @@ static void follow_along(State& state) {
         if (state.inverse_mass[i] > 0) continue;
         for (std::size_t k = i; !state.is_last(k) && state.inverse_mass[k + 1] > 0; ++k) follow(k, k + 1, k);
         for (std::size_t k = i; !state.is_first(k) && state.inverse_mass[k - 1] > 0; --k) follow(k, k - 1, k - 1);
-    }
-}
-
-// What pulls at each link, as a share of what pulls at the free end: more by the capstan law at every node that turns it at a wall.
-static void measure_pull(State& state) {
-    std::vector<double>& drag = state.multiplier;  // of links' far ends; not needed now
-    std::fill(drag.begin(), drag.end(), 0.0);
-    for (const Row& row : state.rows)
-        if (is_at_wall(state, row)) drag[at(row.link)] = row.friction;
-    const auto turn = [&](std::size_t i) { return state.is_end(i) ? 0 : std::max(drag[i - 1], drag[i]) * turn_at(state, i); };
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-        if (state.inverse_mass[i] > 0) continue;
-        const auto pull = [&](std::size_t from, int step) {
-            std::size_t end = from;
-            const auto is_end = [&](std::size_t k) { return step > 0 ? state.is_last(k) : state.is_first(k); };
-            while (!is_end(end)) end += static_cast<std::size_t>(step);
-            double pulls = -1;
-            for (std::size_t k = end; k != from; k -= static_cast<std::size_t>(step)) {
-                pulls *= std::exp(turn(k));
-                state.pulled[step > 0 ? k - 1 : k] = pulls;
-            }
-        };
-        if (!state.is_last(i) && state.inverse_mass[i + 1] > 0) pull(i, 1);
-        if (!state.is_first(i) && state.inverse_mass[i - 1] > 0) pull(i, -1);
     }
 }
 
@@ -113,7 +89,6 @@ double slide_along(State& state) {
         follow_leader(state);
         clip(state);
     }
-    measure_pull(state);
     return std::max(worst_stretch(state, state.nodes) / stretch_tolerance, aim(state));
 }
 

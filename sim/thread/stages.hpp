@@ -165,6 +165,12 @@ int most_loaded(const State& state);
 /// By how much the thread turns at a node [rad], as the chord of the angle; not at all at the ends of a piece.
 double turn_at(const State& state, std::size_t node);
 
+/// Nearer than a radius to touching.
+inline bool is_touched(const State& state, const Row& row) { return row.distance < row.thickness + state.def.radius; }
+
+/// Into State::profile, of strands that are drawn over walls and tools with their other ends free: Euler's and Eytelwein's law, the pull grows by e to friction times turn (capstan.cpp). O(n).
+void find_capstan_profile(State& state);
+
 /// Whether a link's piece sleeps (sleep.cpp).
 inline bool sleeps(const State& state, int link) { return !state.asleep.empty() && state.asleep[static_cast<std::size_t>(link)] && state.asleep[static_cast<std::size_t>(link) + 1]; }
 /// As holds do: nothing moves its nodes.

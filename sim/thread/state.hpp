@@ -254,6 +254,7 @@ struct State {
     std::vector<Vec3> unit;            ///< Scratch of the length solve.
     std::vector<double> lower, pivot, upper, multiplier;  ///< The last length solve: its factors and its answer.
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
+    std::vector<double> profile;       ///< Per link, its tension as a share of any.
     std::vector<PushedRow> pushed_rows;  ///< Scratch of coupling.
     PerAxis<Eigen::Dynamic, 1> pushes;   ///< Of all those rows.
     PerAxis<Eigen::Dynamic, 1> pushes_before, gain, way;  ///< As a sweep began, what it gained, and where sweeps lead.

@@ -8,7 +8,7 @@ namespace sim::thread {
 
 bool goes_on(const Row& row, const Row& next) { return next.against == row.against && next.other == row.other && next.link == row.link + 1; }
 
-static bool is_near(const State& state, const Row& row) { return row.against == Against::capsule && row.distance < row.thickness + state.def.radius; }
+static bool is_near(const State& state, const Row& row) { return row.against == Against::capsule && is_touched(state, row); }
 
 // Where something else may press on the link too, it is pinched, or may be: two pushes that work against each other have no answer.
 static bool is_alone(const State& state, const Row& row) {
