@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/fault.hpp"
 #include "app/one_line.hpp"
 #include "scenarios/drill/waypoints.hpp"
 
@@ -15,20 +16,21 @@ namespace {
 
 using Chosen = std::function<int()>;
 
-// CLI11 says of a command that it does not know only that one is required.
-std::string unknown_command(const CLI::App& program, const std::string& asked) {
+// CLI11 says of a command that it does not know only that one is required, and asked for its help prints that of all.
+void expect_command(const CLI::App& program, const std::string& asked) {
+    if (asked.starts_with("-")) return;
     std::string known;
-    for (const CLI::App* command : program.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
-    return "'" + asked + "' is no command, known are " + known;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        if (command->get_name() == asked) return;
+        known += (known.empty() ? "" : ", ") + command->get_name();
+    }
+    throw InputFault("carrel: error: '" + asked + "' is no command, known are " + known + "; see carrel --help");
 }
 
 std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
-    const auto left = program->remaining();
-    const bool is_unknown = program->get_subcommands().empty() && !left.empty() && !left.front().starts_with("-");
-    const std::string what = is_unknown ? unknown_command(*program, left.front()) : error.what();
     std::string command = "carrel";
     for (const CLI::App* chosen : program->get_subcommands()) command += " " + chosen->get_name();
-    return one_line(command + ": error: " + what + "; see " + command + " --help");
+    return one_line(command + ": error: " + error.what() + "; see " + command + " --help");
 }
 
 // A script's variable that is not set: nothing would be written, without a word.
@@ -142,7 +144,7 @@ void add_bench(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("bench", "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
     auto options = std::make_shared<BenchOptions>();
     command->add_option("SUITE", options->suite, "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties or knots")->required();
-    command->add_flag("--quick", options->quick, "Once and without the longest, in seconds");
+    command->add_flag("--quick", options->quick, "Once and without the longest: seconds, of tissue a minute or two");
     command->add_option("--plot", options->plot, "Pictures of speed against error to write: a file (.svg), or of speed-vs-error a folder");
     command->add_flag("--json", options->json, "One JSON object on stdout");
     command->callback([=, &chosen] { chosen = [options] { return bench_command(*options); }; });
@@ -158,6 +160,7 @@ std::function<int()> asked_for(int argc, char** argv) {
     Chosen chosen;
     for (const auto add : {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope, add_bench})
         add(program, chosen);
+    if (argc > 1) expect_command(program, argv[1]);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -48,6 +48,16 @@ void check_first_inputs(const Recording& recording, const Drill& drill, const st
     }
 }
 
+// A drill's path is as it was typed then; a recording that was taken elsewhere may have its meshes beside it.
+void find_meshes(Drill& drill, const std::string& file) {
+    for (auto& vessel : drill.world.vessels) {
+        if (vessel.mesh_file.empty() || std::filesystem::exists(vessel.mesh_file)) continue;
+        const auto beside = std::filesystem::path(file).parent_path() / std::filesystem::path(vessel.mesh_file).filename();
+        if (!std::filesystem::exists(beside)) refuse(file, "its mesh " + vessel.mesh_file + " is not there, expected it there or at " + beside.string());
+        vessel.mesh_file = beside.string();
+    }
+}
+
 void check_meshes(const Recording& recording, const Drill& drill, const std::string& file) {
     const std::vector<Asset> now = assets_of(drill.world);
     for (std::size_t i = 0; i < now.size(); ++i)
@@ -63,6 +73,7 @@ Recorded load_recorded(const std::string& file) {
     Drill drill = drill_of(recording, file);
     check_inputs_fit(recording, drill, file);
     check_first_inputs(recording, drill, file);
+    find_meshes(drill, file);
     check_meshes(recording, drill, file);
     return {std::move(recording), std::move(drill)};
 }

@@ -55,7 +55,11 @@ void check_wall(const scenarios::world::VesselDef& vessel) {
     const std::string at = vessel.mesh_file + ": error: ";
     if (vessel.triangles.size() > most)
         throw InputFault(at + "has " + std::to_string(vessel.triangles.size()) + " triangles, of a wall that gives way at most " + std::to_string(most) + " are right");
-    if (const auto problem = tissue::make_wall(vessel.outside, vessel.triangles, {.thickness = vessel.wall}).problem) throw InputFault(at + *problem);
+    const tissue::Wall wall = tissue::make_wall(vessel.outside, vessel.triangles, {.thickness = vessel.wall});
+    if (wall.problem) throw InputFault(at + *wall.problem);
+    const bool is_cut = std::any_of(wall.mesh.faces.begin(), wall.mesh.faces.end(), [](const tissue::Face& face) { return face.side == tissue::Side::cut; });
+    if (vessel.needs_cut && !is_cut)
+        throw InputFault(at + "it is closed, so that there is no cut to measure bites and join from, expected an open end, or none of bite_mm, gap_mm, lumen, leak_mL_min and lapses in the drill's bands");
 }
 
 }  // namespace

@@ -119,13 +119,15 @@ class Reader {
                 document_.fail("/instruments/" + std::to_string(i), "holds no vessel, expected \"held_by\": \"" + world.instruments[i].name + "\" in one");
     }
 
-    void check_cuts() const {
+    void check_cuts() {
         const Bands& bands = drill_.bands;
         if (!bands.bite_mm && !bands.gap_mm && !bands.lumen && !bands.leak_mL_min && !bands.lapses) return;
-        const auto& vessels = drill_.world.vessels;
-        for (std::size_t i = 0; i < vessels.size(); ++i)
+        auto& vessels = drill_.world.vessels;
+        for (std::size_t i = 0; i < vessels.size(); ++i) {
+            vessels[i].needs_cut = vessels[i].is_soft;
             if (vessels[i].is_soft && vessels[i].start_held && vessels[i].end_held)
                 document_.fail("/vessels/" + std::to_string(i), "both ends are held, so that there is no cut to measure bites and join from, expected one end in \"held\"");
+        }
     }
 
     void read_vessels() {

@@ -22,9 +22,11 @@ std::string tie_of(const Name& name) {
     return tie;
 }
 
+bool has_throws_asked(const Goal& goal, const Name& name) { return throws_asked(goal).empty() || name.throws == throws_asked(goal); }
+
+// Of how many throws is judged beside it. Three throws of a square knot are asked for as that, and are found by their throws alone.
 bool is_asked(const Goal& goal, const Name& name) {
-    const std::string throws = throws_asked(goal);
-    return name.certain && (throws.empty() ? tie_of(name) == goal.tie : name.throws == throws);
+    return name.certain && (tie_of(name) == goal.tie || (!throws_asked(goal).empty() && has_throws_asked(goal, name)));
 }
 
 std::string in_words(const std::string& tie) {
@@ -138,7 +140,7 @@ void score_tails(const Goal& goal, const world::Measures& measures, std::vector<
 
 // Of one of several knots that are asked for.
 bool is_tied(const Goal& goal, const Name& name) {
-    return is_asked(goal, name) && (goal.throws == 0 || throw_count(name.throws) == goal.throws);
+    return is_asked(goal, name) && has_throws_asked(goal, name);
 }
 
 std::string with_throws(const Name& name) {

@@ -49,6 +49,7 @@ struct VesselDef {
     std::string mesh_file;                                  ///< If set, read instead of the numbers (mm in the file).
     std::vector<Vec3> outside;                              ///< Of a wall that gives way and is no tube, from that file: vertices in the world [m] ...
     std::vector<std::array<int, 3>> triangles;              ///< ... and triangles, of which tissue::make_wall() makes a wall.
+    bool needs_cut = false;                                 ///< Bites or a join are measured from its cut.
 };
 
 struct InstrumentDef {

@@ -184,6 +184,11 @@ TEST(BadInput, NoThreadStartsInAWallThatIsAMesh) {
     program::expect_one_line_naming("vessel \"box\": error: /vessels/0: the thread starts in its wall, behind corner 0", program::run({"validate", drill}));
     folder.write("drill.json", program::replaced(text, "[[-4, 0, 8.75], [4, 0, 8.75]]", "[[-4, 0, 9.75], [4, 0, 9.75]]"));
     EXPECT_EQ(program::run({"validate", drill}).exit, 0);
+    std::string sewn = program::replaced(text, "\"start_mm\": [[-4, 0, 8.75], [4, 0, 8.75]]", "\"needle\": {\"code\": \"BV-1\", \"tail_mm\": [0, 0, 30], \"towards\": [1, 0, 0], \"bulge\": [0, 0, 1]}, \"start_mm\": [[-4, 0, 30], [-8, 0, 30]]");
+    sewn = program::replaced(sewn, "\"wall_mm\": 0.5}}", "\"wall_mm\": 0.5}, \"held\": [\"start\"]}");
+    sewn = program::replaced(sewn, "\"time_limit_s\"", "\"bands\": {\"bites\": [1, 2], \"bite_mm\": [1, 2]}, \"time_limit_s\"");
+    folder.write("drill.json", sewn);
+    program::expect_one_line_naming("it is closed, so that there is no cut", program::run({"validate", drill}));
 }
 
 // Where a tool is at first has nothing before it to stay at.
@@ -266,6 +271,12 @@ TEST(BadInput, ARecordingOfAnotherMeshIsNamed) {
     program::expect_one_line_naming(mesh, program::run({"replay", recording}));
     std::filesystem::remove(mesh);
     program::expect_one_line_naming(mesh, program::run({"replay", recording}));
+    const Folder elsewhere;
+    const std::string copy = elsewhere.path("copy.carrel");
+    std::filesystem::copy(recording, copy);
+    program::expect_one_line_naming(mesh + " is not there, expected it there or at " + elsewhere.path("vessel.obj"), program::run({"replay", copy}));
+    elsewhere.write("vessel.obj", far);
+    EXPECT_EQ(program::run({"replay", "--verify", copy}).exit, 0) << "who gets a recording and its mesh has them in one folder";
 }
 
 TEST(BadInput, ANameThatIsTooLongIsNoFile) {
@@ -355,7 +366,7 @@ TEST(BadInput, AFileThatCannotBeWrittenToItsEndIsNotLeft) {
 // A mistyped option is bad input like any other: one line that says what to look up.
 TEST(BadInput, AWrongCommandLineIsOneLineToo) {
     for (const std::vector<std::string>& call : std::vector<std::vector<std::string>>{
-             {}, {""}, {"nope"}, {"run"}, {"run", "--nope"}, {"replay"}, {"knot", "--around"}, {"rope", "--links", "many"},
+             {}, {""}, {"nope"}, {"run"}, {"run", "--nope"}, {"replay"}, {"nope", "--help"}, {"knot", "--around"}, {"rope", "--links", "many"},
              {"render", "--size"}, {"validate", "a", "--no\npe"}, {"run", still::drill, "--frames", "1e12"}}) {
         SCOPED_TRACE(testing::PrintToString(call));
         program::expect_one_line_naming("--help", program::run(call));

@@ -103,6 +103,18 @@ TEST(Score, SurgeonsKnotIsMetWithItsApostrophe) {
     EXPECT_FALSE(item("knot", good(), text).passed);
 }
 
+// Two throws of three are a square knot that lacks one, not another knot; three have no name of their own.
+TEST(Score, AMissingThrowIsNotAnotherKnot) {
+    world::Measures m = good();
+    const std::string three = sample::with("\"throws\": 2", "\"throws\": 3");
+    EXPECT_TRUE(item("knot", m, three).passed);
+    EXPECT_FALSE(item("throws", m, three).passed);
+    EXPECT_EQ(item("throws", m, three).why.rfind("Throws are missing", 0), 0u);
+    m.knot.surgical = "", m.knot.throws = "1=1=1";
+    EXPECT_TRUE(item("knot", m, three).passed);
+    EXPECT_FALSE(item("knot", m).passed);
+}
+
 // A name that invariants could not decide must not be taken for a pass.
 TEST(Score, UncertainNameFails) {
     world::Measures m = good();
