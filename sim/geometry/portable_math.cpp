@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim::geometry {
 
@@ -36,6 +37,16 @@ double portable_atan2(double y, double x) {
     double sum = 0;
     for (int k = 21; k >= 1; k -= 2) sum = 1.0 / k - q * sum;
     return (1 << halvings) * t * sum;
+}
+
+double portable_exp(double x) {
+    int halvings = 0;
+    for (; std::abs(x) > 0.25 && std::abs(x) < 1e4; x *= 0.5) ++halvings;  // of more the answer is 0 or infinity
+    if (std::abs(x) > 0.25) return x < 0 ? 0 : std::numeric_limits<double>::infinity();
+    double sum = 1;
+    for (int k = 11; k >= 1; --k) sum = 1 + x / k * sum;  // what is left out is 0.25^12 / 12!, 1e-16
+    for (; halvings > 0; --halvings) sum *= sum;
+    return sum;
 }
 
 Quat portable_slerp(const Quat& from, const Quat& to, double t) {

@@ -3,16 +3,16 @@
 
 #include "sim/geometry/at.hpp"
 #include "sim/thread/stages.hpp"
+#include "sim/thread/tail.hpp"
 
 // A strand that is drawn over walls, its other end free, follows itself: each node goes where the next one was. Least motion would rather draw it into the wall
 // at one corner than all that follows round the next.
 namespace sim::thread {
 
-static bool is_at_wall(const State& state, const Row& row) { return row.against == Against::surface && is_touched(state, row); }
-
-// Every piece is led by one tool at most, away from what follows.
+// Every piece is led by one tool at most, away from what follows. What lies on itself may be knotted, and a knot comes along as a whole.
 bool may_slide(const State& state) {
-    if (state.rod || std::none_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return is_at_wall(state, row); })) return false;
+    const auto touches = [&](Against what) { return std::any_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return row.against == what && is_touched(state, row); }); };
+    if (state.rod || !touches(Against::surface) || touches(Against::thread)) return false;
     bool is_led = false;
     std::size_t last = state.nodes.size();  // that is held in this piece
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
@@ -31,11 +31,16 @@ bool may_slide(const State& state) {
     return is_led;
 }
 
-bool is_taut(const State& state) {
-    constexpr double followed = 0.05;  // of the way: what rims give back one step draws the tail ahead, and takes up the next; with 0.5 ten bites let half as much through
-    for (std::size_t i = 0; i < state.nodes.size(); ++i)
-        if (state.is_end(i) && state.inverse_mass[i] > 0 && state.following[i] < followed) return false;
-    return true;
+// What rims give back one step draws the tail ahead, and takes up the next. Asked to follow by half the way all the time ten bites let half as much through; by a twentieth from the first, slack is dragged along.
+void note_whether_it_slides(State& state) {
+    const double followed = state.slides ? 0.05 : 0.5;  // of the way
+    bool is_led = false, follows = true;
+    for_each_tail(state, [&](const Tail& tail) {
+        if (state.nodes[tail.held] == state.before[tail.held]) return;
+        is_led = true;
+        follows = follows && state.following[tail.end] >= followed;
+    });
+    state.slides = may_slide(state) && (is_led ? follows : state.slides);
 }
 
 // The point of the way from the follower's old place to its leader's that is at rest length from the leader's new one.
@@ -46,15 +51,17 @@ static Vec3 along_itself(const Vec3& leader, const Vec3& leader_was, const Vec3&
     return share >= 0 && share <= 1 ? Vec3(was + share * way) : Vec3(leader + rest * off.stableNormalized());
 }
 
+// As far as it lies over something; beyond, each follows its leader.
 static void follow_along(State& state) {
-    const auto follow = [&](std::size_t leader, std::size_t follower, std::size_t link) {
-        state.nodes[follower] = along_itself(state.nodes[leader], state.before[leader], state.before[follower], state.rest[link]);
-    };
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-        if (state.inverse_mass[i] > 0) continue;
-        for (std::size_t k = i; !state.is_last(k) && state.inverse_mass[k + 1] > 0; ++k) follow(k, k + 1, k);
-        for (std::size_t k = i; !state.is_first(k) && state.inverse_mass[k - 1] > 0; --k) follow(k, k - 1, k - 1);
-    }
+    find_rubbed(state);
+    for_each_tail(state, [&](const Tail& tail) {
+        const std::size_t last = last_rubbed(state, tail);
+        for (std::size_t node = tail.held; node != last; node = tail.next(node)) {
+            const std::size_t to = tail.next(node);
+            state.nodes[to] = along_itself(state.nodes[node], state.before[node], state.before[to], state.rest[tail.link_to(to)]);
+        }
+    });
+    follow_leader(state);
 }
 
 double share_of_slide(const State& state, double way) {

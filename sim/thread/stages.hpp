@@ -64,8 +64,8 @@ void follow_leader(State& state);
 
 /// Whether the thread lies at walls and is only drawn, away from free ends.
 bool may_slide(const State& state);
-/// Whether free ends followed in the last substep: there is no slack to take up first.
-bool is_taut(const State& state);
+/// Into State::slides, after a substep: whether it may, and free ends followed: there is no slack to take up first.
+void note_whether_it_slides(State& state);
 /// What share of the way the thread can so follow in one step.
 double share_of_slide(const State& state, double way);
 /// Along itself after what leads it; returns the worst violation left, 1 where tools must wait (slide.cpp).
@@ -168,7 +168,13 @@ double turn_at(const State& state, std::size_t node);
 /// Nearer than a radius to touching.
 inline bool is_touched(const State& state, const Row& row) { return row.distance < row.thickness + state.def.radius; }
 
-/// Into State::profile, of strands that are drawn over walls and tools with their other ends free: Euler's and Eytelwein's law, the pull grows by e to friction times turn (capstan.cpp). O(n).
+struct Tail;
+/// Into State::rubbed (capstan.cpp).
+void find_rubbed(State& state);
+/// The node farthest from its hold whose link to it is rubbed; the held one where none is.
+std::size_t last_rubbed(const State& state, const Tail& tail);
+
+/// Of State::rubbed into State::profile, of strands that are drawn over walls and tools with their other ends free: Euler's and Eytelwein's law, the pull grows by e to friction times turn (capstan.cpp). O(n).
 void find_capstan_profile(State& state);
 
 /// Whether a link's piece sleeps (sleep.cpp).

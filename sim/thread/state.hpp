@@ -214,6 +214,7 @@ struct State {
     Unfinished unfinished;
     int work = 0;                      ///< Of this tick, in passes over contacts and lengths,
     int wasted = 0;                    ///< and how much of it on answers that were refused.
+    bool slides = false;               ///< What is led is taut over walls and follows along itself (slide.cpp).
     bool settled = false;              ///< Nothing moved and nothing is violated: a tick without motion does nothing.
     std::vector<double> tension;       ///< [N] per link.
     std::vector<SurfaceForce> surface_forces;
@@ -254,6 +255,7 @@ struct State {
     std::vector<Vec3> unit;            ///< Scratch of the length solve.
     std::vector<double> lower, pivot, upper, multiplier;  ///< The last length solve: its factors and its answer.
     std::vector<double> pulled;        ///< Per link, multipliers of the substep's length solves; negative: shortened.
+    std::vector<double> rubbed;        ///< Per link, friction of what it touches; -1: nothing.
     std::vector<double> profile;       ///< Per link, its tension as a share of any.
     std::vector<PushedRow> pushed_rows;  ///< Scratch of coupling.
     PerAxis<Eigen::Dynamic, 1> pushes;   ///< Of all those rows.

@@ -122,6 +122,7 @@ Substep attempt(State& state, double way, Answer answer, Effort effort) {
         state.drift[i] = moved - state.carried[i];
         state.following[i] = way > 0 ? moved.norm() / way : 1;
     }
+    if (way > 0) note_whether_it_slides(state);
     remember_wraps(state);
     state.drift_way = way;
     const double moved = largest_move(state);

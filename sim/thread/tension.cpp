@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <limits>
 
 #include "sim/thread/stages.hpp"
+#include "sim/thread/tail.hpp"
 
 namespace sim::thread {
 
@@ -27,20 +29,35 @@ static void spread(State& state, std::size_t first, int direction, double lag) {
     }
 }
 
+// What slid on in this tick is held by friction, not by as much as it lags: that is what the tick could not afford.
+static double most_lag(const State& state, const Vec3& went) {
+    constexpr double slid = 0.1, by_friction = 10;  // radii
+    return state.slides && went.norm() > slid * state.def.radius ? by_friction * state.def.radius : std::numeric_limits<double>::infinity();
+}
+
+// Whether it ends free and touches nothing on its way there.
+static bool is_loose(const State& state, std::size_t held, int direction) {
+    const auto tail = tail_from(state, held, direction);
+    return tail && last_rubbed(state, *tail) == held;
+}
+
 void estimate_tension(State& state) {
     std::fill(state.tension.begin(), state.tension.end(), 0.0);
-    if (may_slide(state) && is_taut(state))
+    find_rubbed(state);
+    if (state.slides)
         find_capstan_profile(state);
     else
         std::transform(state.pulled.begin(), state.pulled.end(), state.profile.begin(), [](double by) { return std::max(0.0, -by); });
-    for (const Hold& hold : state.input.holds) {
+    for (std::size_t h = 0; h < state.input.holds.size(); ++h) {
+        const Hold& hold = state.input.holds[h];
         const auto i = static_cast<std::size_t>(hold.node);
         const Vec3 lag = hold.wanted - state.nodes[i];
+        const double most = most_lag(state, state.nodes[i] - state.hold_from[h]);
         for (const int direction : {-1, +1}) {
             const std::size_t link = direction > 0 ? i : i - 1;
-            if (link >= state.rest.size() || state.is_cut(link)) continue;  // no thread on this side
+            if (link >= state.rest.size() || state.is_cut(link) || is_loose(state, i, direction)) continue;  // no thread on this side, or none that is held
             const Vec3 away = state.nodes[direction > 0 ? i + 1 : i - 1] - state.nodes[i];
-            spread(state, link, direction, -lag.dot(away) / state.rest[link]);
+            spread(state, link, direction, std::min(most, -lag.dot(away) / state.rest[link]));
         }
     }
 }

@@ -36,7 +36,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::sp
       tree(static_cast<int>(most_links(def, rest))) {
     const std::size_t most = most_links(def, rest);
     for (auto* of_nodes : {&nodes, &before, &drift, &unfinished.nodes, &carried, &forward, &coupled_move, &unit, &line, &glided}) of_nodes->reserve(most + 1);
-    for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &profile, &lower, &pivot, &upper, &multiplier,
+    for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &profile, &rubbed, &lower, &pivot, &upper, &multiplier,
                            &pulled, &pulled_before, &weight_at, &stiff})
         of_links->reserve(most + 1);
     for (auto* boxes : {&audit_boxes, &audit_links}) boxes->reserve(most);
@@ -84,7 +84,7 @@ void State::size_for_links() {
     unit.resize(n);
     inverse_mass.assign(n + 1, 1.0);
     for (auto* of_nodes : {&bound, &weight_at}) of_nodes->assign(n + 1, 0.0);
-    for (auto* of_links : {&profile, &lower, &pivot, &upper, &multiplier, &pulled, &pulled_before}) of_links->assign(n, 0.0);
+    for (auto* of_links : {&profile, &rubbed, &lower, &pivot, &upper, &multiplier, &pulled, &pulled_before}) of_links->assign(n, 0.0);
     wraps.assign(n, {});
     tree.resize(static_cast<int>(n));
 }
@@ -170,6 +170,7 @@ std::uint64_t Thread::hash() const {
             for (int c = 0; c < 3; ++c) add(way[c]);
     }
     add(impl_->state.settled);
+    if (impl_->state.slides) add(1);
     if (!impl_->state.rod) {
         for (const Wrap& wrap : impl_->state.wraps) {
             add(wrap.grip);

@@ -148,7 +148,7 @@ void wake(State& state) {
 Answer next_answer(const State& state, const Pace& pace) {
     const bool second = pace.refused_in_a_row % 2 != 0, fourth = pace.refused_in_a_row % 4 == 3;
     if (!may_slide(state)) return second ? Answer::follow_the_leader : Answer::drift;
-    return (is_taut(state) ? !fourth : second) ? Answer::slide : Answer::drift;
+    return (state.slides ? !fourth : second) ? Answer::slide : Answer::drift;
 }
 
 // Nothing is asked for, and all is as good as passes make it.

@@ -34,6 +34,18 @@ TEST(PortableMath, SlerpIsEigensOnBothSignsAndAtEveryAngle) {
     }
 }
 
+// A capstan's pull grows by it, over many turns.
+TEST(PortableMath, ExponentialIsThatOfTheLibrary) {
+    for (int i = -700; i <= 700; ++i) {
+        const double x = i + 0.1 * (i % 7);
+        EXPECT_NEAR(portable_exp(x) / std::exp(x), 1, 1e-15 * (1 + std::abs(x))) << x;
+        EXPECT_NEAR(portable_exp(x / 700) / std::exp(x / 700), 1, 2e-15) << x / 700;
+    }
+    EXPECT_EQ(portable_exp(0), 1);
+    EXPECT_EQ(portable_exp(-1e5), 0);
+    EXPECT_EQ(portable_exp(1e5), std::numeric_limits<double>::infinity());
+}
+
 // A vessel laid along a wrong axis, or one that vanishes because it points backwards. Nearly opposite directions lose
 // digits of the sum's direction, as many as their angle is close to half a turn.
 TEST(PortableMath, RotationBetweenTurnsOneDirectionIntoTheOther) {

@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+
+#include "sim/thread/state.hpp"
+
+namespace sim::thread {
+
+/// A strand from a held node to a free end.
+struct Tail {
+    std::size_t held, end;
+    int step;  ///< From one to the other, 1 or -1.
+
+    std::size_t next(std::size_t node) const { return node + static_cast<std::size_t>(step); }
+    std::size_t before(std::size_t node) const { return node - static_cast<std::size_t>(step); }
+    /// From the node before it, seen from the hold.
+    std::size_t link_to(std::size_t node) const { return step > 0 ? node - 1 : node; }
+};
+
+/// From a held node that way, if nothing else is held there.
+inline std::optional<Tail> tail_from(const State& state, std::size_t held, int step) {
+    Tail tail{held, held, step};
+    const auto goes_on = [&] { return !(step > 0 ? state.is_last(tail.end) : state.is_first(tail.end)); };
+    while (goes_on() && state.inverse_mass[tail.next(tail.end)] > 0) tail.end = tail.next(tail.end);
+    return goes_on() || tail.end == held ? std::nullopt : std::optional(tail);
+}
+
+template <class Do>
+void for_each_tail(const State& state, const Do& with) {
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+        for (const int step : {1, -1})
+            if (state.inverse_mass[i] == 0)
+                if (const auto tail = tail_from(state, i, step)) with(*tail);
+}
+
+}  // namespace sim::thread
