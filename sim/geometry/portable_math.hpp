@@ -15,7 +15,7 @@ SinCos portable_sin_cos(double angle);
 /// Angle from the x axis to (x, y), in [-pi, pi]; error below 2e-15, a few units in the last place. Not both zero.
 double portable_atan2(double y, double x);
 
-/// e to the power of x; a relative error below 1e-15 (1 + |x|).
+/// e to the power of x; a relative error below 2e-15 (1 + |x|): the series is off by a rounding or two, and each doubling back doubles that.
 double portable_exp(double x);
 
 /// Rotation from `from` (t = 0) to `to` (t = 1) along the shorter arc at constant rate.
