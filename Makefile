@@ -2,7 +2,7 @@
 JOBS := $(shell nproc)
 DRILL := interrupted-stitch
 
-.PHONY: demo test build bench format clean packages
+.PHONY: demo test build bench format hashes clean packages
 .DEFAULT_GOAL := build
 
 build: packages
@@ -38,6 +38,12 @@ bench: packages
 	@echo "Microseconds of processor time for a tick of 1 ms:"
 	@grep -A 4 '"tick_us"' out/bench/result.json
 	build/carrel bench speed --plot out/bench/speed.svg
+
+# The table of state hashes anew, for a change that means to alter the simulation's bits.
+hashes: build
+	CARREL_RENEW_HASHES=1 CARREL_LONG_HASHES=1 ctest --test-dir build -j$(JOBS) -R 'Hashes' -V | sed -n 's/^.*hash:\([a-z]*\)/\1/p' | \
+	  sort -t, -k1,1 -k2,2 -k3,3n > build/hashes.csv
+	mv build/hashes.csv tests/hashes/hashes.csv
 
 format:
 	@tools/packages.sh git clang-format

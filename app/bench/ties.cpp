@@ -133,6 +133,7 @@ Tied ties(std::uint64_t seed, const EachTick& each, bool elastic) {
     }
     play.pull_until(0, most_ticks);
     play.tied.left = play.left();
+    play.tied.hash = play.thread.hash();
     play.tied.after = name_between(play.thread, play.pull.hands.hands[0].node, play.pull.hands.hands[1].node);
     return play.tied;
 }

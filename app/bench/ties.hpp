@@ -33,6 +33,7 @@ struct Tied {
     int ticks = 0;
     double stretch = 0;          ///< Worst |l/l0 - 1| after any tick.
     double left = 0;             ///< What the knot takes up in the end [D].
+    std::uint64_t hash = 0;      ///< Thread::hash() in the end.
 
     bool changed() const { return before != after; }
     bool good() const { return pass_throughs == 0 && !changed(); }
