@@ -34,15 +34,19 @@ std::string usage_fault(const CLI::App* program, const CLI::Error& error) {
 }
 
 // A script's variable that is not set: nothing would be written, without a word.
-std::string not_empty(const std::string& name) { return name.empty() ? "is empty, expected a name" : ""; }
+std::string not_empty(const std::string& name) {
+    return name.empty() ? "is empty, expected a name" : "";
+}
 
 void add_run(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("run", "Play a drill without a window, as fast as it can");
     auto options = std::make_shared<RunOptions>();
     command->add_option("DRILL", options->drill, "Drill file (.json)")->required();
-    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)")->check(not_empty);
+    command->add_option("--input", options->input, "Motion to play instead of the drill's own (.csv)")
+        ->check(not_empty);
     command->add_option("--record", options->record, "Record the session to this file")->check(not_empty);
-    auto* out = command->add_option("--out", options->out, "Folder for result.json, report.html and frames")->check(not_empty);
+    auto* out =
+        command->add_option("--out", options->out, "Folder for result.json, report.html and frames")->check(not_empty);
     command->add_option("--thread", options->thread, "How the thread moves: ftl (by geometry) or elastic (by forces)");
     command->add_option("--frames", options->frames, "Evenly spaced pictures to write to --out")
         ->check(CLI::Range(0, 10000))
@@ -82,11 +86,15 @@ void add_motion(CLI::App& program, Chosen& chosen) {
 }
 
 void add_knot(CLI::App& program, Chosen& chosen) {
-    auto* command = program.add_subcommand("knot", "Name the knots in curve files: one vertex 'x y z' a line, an empty line between "
-                                               "components, which are closed when their last vertex repeats the first; the first one is "
-                                               "the thread, others are what it is tied round");
+    auto* command = program.add_subcommand(
+        "knot",
+        "Name the knots in curve files: one vertex 'x y z' a line, an empty line between "
+        "components, which are closed when their last vertex repeats the first; the first one is "
+        "the thread, others are what it is tied round");
     auto options = std::make_shared<KnotOptions>();
-    command->add_option("curves", options->curves, "Curve files; - for standard input")->option_text("CURVE...")->required();
+    command->add_option("curves", options->curves, "Curve files; - for standard input")
+        ->option_text("CURVE...")
+        ->required();
     command->add_flag("--closed", options->closed, "Join the last vertex of every component to its first");
     command->add_option("--around", options->around, "A curve the others are tied round; may be repeated")
         ->expected(1)
@@ -96,8 +104,8 @@ void add_knot(CLI::App& program, Chosen& chosen) {
 }
 
 void add_validate(CLI::App& program, Chosen& chosen) {
-    auto* command =
-        program.add_subcommand("validate", "Check drill files, and the motions and meshes they name, without running them");
+    auto* command = program.add_subcommand(
+        "validate", "Check drill files, and the motions and meshes they name, without running them");
     auto options = std::make_shared<ValidateOptions>();
     auto* files = command->add_option("DRILL", options->files, "Drill files (.json)");
     auto* schema = command->add_flag("--schema", options->schema, "Print the JSON Schema of drill files instead");
@@ -141,11 +149,16 @@ void add_rope(CLI::App& program, Chosen& chosen) {
 }
 
 void add_bench(CLI::App& program, Chosen& chosen) {
-    auto* command = program.add_subcommand("bench", "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
+    auto* command = program.add_subcommand(
+        "bench", "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
     auto options = std::make_shared<BenchOptions>();
-    command->add_option("SUITE", options->suite, "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties or knots")->required();
+    command
+        ->add_option("SUITE", options->suite,
+                     "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties or knots")
+        ->required();
     command->add_flag("--quick", options->quick, "Once and without the longest: seconds, of tissue a minute or two");
-    command->add_option("--plot", options->plot, "Pictures of speed against error to write: a file (.svg), or of speed-vs-error a folder");
+    command->add_option("--plot", options->plot,
+                        "Pictures of speed against error to write: a file (.svg), or of speed-vs-error a folder");
     command->add_flag("--json", options->json, "One JSON object on stdout");
     command->callback([=, &chosen] { chosen = [options] { return bench_command(*options); }; });
 }
@@ -158,7 +171,8 @@ std::function<int()> asked_for(int argc, char** argv) {
     program.require_subcommand(1);
     program.failure_message(usage_fault);
     Chosen chosen;
-    for (const auto add : {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope, add_bench})
+    for (const auto add :
+         {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope, add_bench})
         add(program, chosen);
     if (argc > 1) expect_command(program, argv[1]);
     try {

@@ -23,11 +23,16 @@ namespace {
 
 void expect_writable(std::string_view option, const fs::path& file, std::initializer_list<fs::path> others) {
     std::error_code ignored;
-    const auto is_same = [&](const fs::path& other) { return fs::equivalent(file, other, ignored) || fs::weakly_canonical(file, ignored) == fs::weakly_canonical(other, ignored); };
+    const auto is_same = [&](const fs::path& other) {
+        return fs::equivalent(file, other, ignored) ||
+               fs::weakly_canonical(file, ignored) == fs::weakly_canonical(other, ignored);
+    };
     for (const fs::path& other : others)
-        if (!other.empty() && is_same(other)) refuse(option, file, "the command reads or writes it as well, expected another name");
+        if (!other.empty() && is_same(other))
+            refuse(option, file, "the command reads or writes it as well, expected another name");
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    if (file.empty() || fs::is_directory(file, ignored)) refuse(option, file, "is a folder, expected the name of a file");
+    if (file.empty() || fs::is_directory(file, ignored))
+        refuse(option, file, "is a folder, expected the name of a file");
     if (!fs::is_directory(folder, ignored)) refuse(option, file, "there is no folder " + folder.string());
     // Rights alone do not tell: a root user has them all, and a full or foreign file system refuses nevertheless.
     const bool there = fs::exists(fs::symlink_status(file, ignored));

@@ -135,6 +135,8 @@ Curve load_curve(const std::filesystem::path& file) {
     return read_curve(in, file);
 }
 
-Curve read_curve(std::istream& in, const std::filesystem::path& name) { return checked({name, read_text(in, name)}); }
+Curve read_curve(std::istream& in, const std::filesystem::path& name) {
+    return checked({name, read_text(in, name)});
+}
 
 }  // namespace assets

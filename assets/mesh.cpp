@@ -41,7 +41,8 @@ double filled_volume(const Mesh& mesh, std::map<int, int> next) {
         const int middle = static_cast<int>(filled.vertices.size());
         Vec3 sum = Vec3::Zero();
         int corners = 0;
-        for (auto at = next.begin(); at != next.end(); next.erase(at), at = next.find(filled.triangles.back()[1]), ++corners) {
+        for (auto at = next.begin(); at != next.end();
+             next.erase(at), at = next.find(filled.triangles.back()[1]), ++corners) {
             sum += mesh.vertices[static_cast<std::size_t>(at->first)];
             filled.triangles.push_back({at->first, at->second, middle});
         }
@@ -100,7 +101,8 @@ struct Reader {
                 if (face.mNumIndices != 3) continue;  // loose points and lines
                 std::array<int, 3> triangle{};
                 for (unsigned i = 0; i < 3; ++i) {
-                    if (face.mIndices[i] >= part->mNumVertices) fail(name(mesh.triangles.size()) + " has a corner that does not exist");
+                    if (face.mIndices[i] >= part->mNumVertices)
+                        fail(name(mesh.triangles.size()) + " has a corner that does not exist");
                     const aiVector3D& p = part->mVertices[face.mIndices[i]];
                     const Vec3 corner(p.x, p.y, p.z);
                     if (!corner.allFinite())
@@ -163,7 +165,8 @@ struct Reader {
 
     // A sheet that is all but flat has no inside.
     void check_facing(const Mesh& mesh, const std::map<int, int>& rims) const {
-        constexpr double flat = 0.02;  // of what a sphere of that area holds; a tube a hundred times as long as wide holds 0.05
+        constexpr double flat =
+            0.02;  // of what a sphere of that area holds; a tube a hundred times as long as wide holds 0.05
         double area = 0;
         for (const Triangle& t : mesh.soup()) area += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
         const double sphere = area * std::sqrt(area / (36 * std::numbers::pi));

@@ -27,9 +27,9 @@ struct AssetError : std::runtime_error {
 /// Reads a triangle mesh (.obj, .ply, .stl) written in mm; polygons are split, equal corners become one vertex, texture
 /// and the like are ignored. It may be open (a board) or closed (a vessel).
 /// Throws AssetError: missing, a directory, not readable as a mesh, no triangles, a corner that is not finite, larger
-/// than 1 m or smaller than 0.1 mm, a corner that does not exist, a triangle without area or given twice, an edge of three
-/// triangles, neighbours that face opposite ways, one that faces inwards with each rim drawn together (sheets may face
-/// either way). Cost: n log n.
+/// than 1 m or smaller than 0.1 mm, a corner that does not exist, a triangle without area or given twice, an edge of
+/// three triangles, neighbours that face opposite ways, one that faces inwards with each rim drawn together (sheets may
+/// face either way). Cost: n log n.
 Mesh load_mesh(const std::filesystem::path& file);
 
 /// Closed tube (outer and inner wall, end rings) along x, centred at the origin. [m]

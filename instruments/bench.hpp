@@ -8,8 +8,8 @@
 
 namespace instruments {
 
-/// The one way to write an input: canonical unit rotation, jaw in [0, 1]. None if it is not finite, its quaternion zero or
-/// its place further away than 100 shaft lengths.
+/// The one way to write an input: canonical unit rotation, jaw in [0, 1]. None if it is not finite, its quaternion zero
+/// or its place further away than 100 shaft lengths.
 std::optional<ToolInput> usable(const ToolInput& input, const ToolShape& shape);
 
 /// How far a tool got in one tick.

@@ -10,14 +10,15 @@ using sim::geometry::Capsule;
 using sim::geometry::Quat;
 using sim::geometry::Vec3;
 
-/// An approximator holds vessels by clamps on arms from the tips of its jaws; closing it brings them together. The arms are not simulated: they meet nothing.
+/// An approximator holds vessels by clamps on arms from the tips of its jaws; closing it brings them together. The arms
+/// are not simulated: they meet nothing.
 enum class Kind { forceps, needle_holder, scissors, approximator };
 
 /// Frame of a tool: origin midway between the closed jaw tips, +z from the handle towards the tips, the jaws open
 /// along +-x, the hinge turns about y.
 struct Pose {
-    Vec3 position = Vec3::Zero();       ///< [m], world.
-    Quat rotation = Quat::Identity();   ///< Tool to world, unit.
+    Vec3 position = Vec3::Zero();      ///< [m], world.
+    Quat rotation = Quat::Identity();  ///< Tool to world, unit.
 };
 
 /// What a device, a motion file or a recording says of one tool at one tick.
@@ -46,7 +47,8 @@ double opening_of(const ToolShape& shape, double jaw);
 /// The tool's parts in the world frame at a pose with its jaws at `jaw` (0..1). Pure; no allocation.
 std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pose, double jaw);
 
-/// How far what is within `arm` [m] of a pose's origin is at most from where it is in another pose [m]; a turn counts by its chord.
+/// How far what is within `arm` [m] of a pose's origin is at most from where it is in another pose [m]; a turn counts
+/// by its chord.
 double way_between(const Pose& from, const Pose& to, double arm);
 
 /// Pose between two: position linear, rotation slerp (portable). t in [0, 1].

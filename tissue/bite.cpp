@@ -30,11 +30,17 @@ BiteDef with_shallow_dimple(BiteDef def) {
 
 }  // namespace
 
-Bites::Bites(const BiteDef& def, const Mesh& rest) : def_(with_shallow_dimple(def)), shaft_({.stiffness = def.stiffness}), rest_(rest), outer_(rims(rest, Side::outer)), inner_(rims(rest, Side::inner)) {
+Bites::Bites(const BiteDef& def, const Mesh& rest)
+    : def_(with_shallow_dimple(def)),
+      shaft_({.stiffness = def.stiffness}),
+      rest_(rest),
+      outer_(rims(rest, Side::outer)),
+      inner_(rims(rest, Side::inner)) {
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         if (rest.faces[f].side == Side::cut) cut_.push_back(static_cast<int>(f));
     constexpr std::size_t room = 64;
-    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room), pulls_.reserve(room), wires_.reserve(room);
+    crossings_.reserve(room), forces_.reserve(4 * room), bites_.reserve(room), events_.reserve(room),
+        pulls_.reserve(room), wires_.reserve(room);
 }
 
 void Bites::press(const Arc* needle, const Skin& skin) {
@@ -48,7 +54,8 @@ void Bites::press(const Arc* needle, const Skin& skin) {
     leave_by_tip();
     if (touch_.active) advance_touch(), slide_touch(skin);
     if (!touch_.active && !is_at_last_hole()) begin_touch(before.tip(), skin);
-    if (touch_.active) forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
+    if (touch_.active)
+        forces_.push_back({skin.point_of_face(touch_.face, touch_.weights), touch_force(skin), def_.tip_stiffness});
     for (std::size_t i = 0; i < crossings_.size(); ++i) hold(i, skin);
     press_shaft(before, skin);
 }
@@ -61,8 +68,11 @@ void Bites::settle(Skin& skin) {
     pulls_.clear();
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
         const Crossing& crossing = crossings_[i];
-        const double most = friction_of(i), along = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
-        const Vec3 on_wall = crossing.along < 0 ? Vec3(Vec3::Zero()) : Vec3(def_.stiffness * aside(crossing, skin) + along * needle_.tangent(crossing.along));
+        const double most = friction_of(i),
+                     along = std::clamp(def_.stiffness * (crossing.held - crossing.along), -most, most);
+        const Vec3 on_wall =
+            crossing.along < 0 ? Vec3(Vec3::Zero())
+                               : Vec3(def_.stiffness * aside(crossing, skin) + along * needle_.tangent(crossing.along));
         force_ -= on_wall;
         pulls_.push_back(on_wall.norm());
     }
@@ -80,7 +90,8 @@ void Bites::settle(Skin& skin) {
 void Bites::give_rims_to_wire(Skin& skin) {
     wires_.clear();
     for (const Crossing& crossing : crossings_)
-        if (crossing.along >= 0 && crossing.along < 0.5 * needle_.length()) wires_.push_back({crossing.hole, needle_.at(crossing.along), needle_.tangent(crossing.along)});
+        if (crossing.along >= 0 && crossing.along < 0.5 * needle_.length())
+            wires_.push_back({crossing.hole, needle_.at(crossing.along), needle_.tangent(crossing.along)});
     skin.set_wires(wires_);
 }
 
@@ -97,14 +108,16 @@ void Bites::let_go() {
 
 // Where the holes are along the wire now.
 void Bites::follow(const Skin& skin) {
-    for (Crossing& crossing : crossings_) crossing.along = place_on(needle_, skin.centre(crossing.hole), crossing.along);
+    for (Crossing& crossing : crossings_)
+        crossing.along = place_on(needle_, skin.centre(crossing.hole), crossing.along);
 }
 
 // Of the wire in the wall, half at each skin; of a bite that is only pricked all at the one.
 double Bites::friction_of(std::size_t i) const {
     const std::size_t entry = i - i % 2;
     const bool open = entry + 1 < crossings_.size();
-    const double tail = std::max(0.0, crossings_[entry].along), tip = std::min(needle_.length(), open ? crossings_[entry + 1].along : needle_.length());
+    const double tail = std::max(0.0, crossings_[entry].along),
+                 tip = std::min(needle_.length(), open ? crossings_[entry + 1].along : needle_.length());
     return def_.friction * std::max(0.0, tip - tail) * (open ? 0.5 : 1);
 }
 
@@ -114,15 +127,16 @@ Vec3 Bites::aside(const Crossing& crossing, const Skin& skin) const {
     return off - off.dot(way) * way;
 }
 
-// Draws a hole onto the wire, and along with it as far as friction does. Its stiffness counts even where it slides: what is drawn along gives way before it is
-// drawn too far.
+// Draws a hole onto the wire, and along with it as far as friction does. Its stiffness counts even where it slides:
+// what is drawn along gives way before it is drawn too far.
 void Bites::hold(std::size_t i, const Skin& skin) {
     Crossing& crossing = crossings_[i];
     if (crossing.along < 0) return;  // the thread's
     const double reach = friction_of(i) / def_.stiffness;
     crossing.held = crossing.along + std::clamp(crossing.held - crossing.along, -reach, reach);
     const Vec3 pull = (crossing.held - crossing.along) * needle_.tangent(std::min(crossing.along, needle_.length()));
-    forces_.push_back({skin.point_of_hole(crossing.hole), def_.stiffness * (aside(crossing, skin) + pull), def_.stiffness});
+    forces_.push_back(
+        {skin.point_of_hole(crossing.hole), def_.stiffness * (aside(crossing, skin) + pull), def_.stiffness});
 }
 
 void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, const Vec3& way, double force) {
@@ -140,7 +154,8 @@ void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, 
     const int number = inwards ? static_cast<int>(bites_.size()) - 1 : crossings_.back().bite;
     Bite& bite = bites_[static_cast<std::size_t>(number)];
     BiteEnd& end = inwards ? bite.entry : bite.exit;
-    end = BiteEnd{hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force, std::exchange(touch_.is_through, false)};
+    end = BiteEnd{hole, skin.point_of_hole(hole), skin.side_of_face(skin.face_of_hole(hole)), force,
+                  std::exchange(touch_.is_through, false)};
     if (inwards && !crossings_.empty()) {
         Bite& last = of(crossings_.back());
         if (last.exit.side == Side::inner && bite.entry.side == Side::inner) last.both_walls = bite.both_walls = true;

@@ -11,93 +11,105 @@ using sim::geometry::Arc;
 
 /// How a needle meets a wall. SI.
 struct BiteDef {
-    /// Force at which the tip goes through the skin, out of the wall as into it [N]; by tissue and needle. Does not depend on speed. Tapered tips of 6-0 to
-    /// 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds caves in at 5 mN: it needs something held against it, or a sharper needle. A wall that
-    /// caves in so far that the tip is out on its other side, or that is met so flat that the tip is a wall's thickness beyond, is pierced by less.
+    /// Force at which the tip goes through the skin, out of the wall as into it [N]; by tissue and needle. Does not
+    /// depend on speed. Tapered tips of 6-0 to 8-0 in vessels: 0.05 to 0.5. But an end of 0.1 MPa that nobody holds
+    /// caves in at 5 mN: it needs something held against it, or a sharper needle. A wall that caves in so far that the
+    /// tip is out on its other side, or that is met so flat that the tip is a wall's thickness beyond, is pierced by
+    /// less.
     double puncture = 3e-3;
-    double friction = 1;           ///< A metre of wire in the wall [N/m]. No source; much more, and a soft free end is drawn along instead of through.
-    double stiffness = 500;        ///< Of the wall about the wire, across it, and of what friction holds [N/m].
-    /// Of the dimple that the mesh does not resolve [N/m]. A cone of 10 degrees each side goes in deeper still (Sneddon: 2/pi E / (1 - nu^2) d^2 tan 10, 25 N/m
-    /// at 10 mN in 0.1 MPa); stiffer, a quick needle's step of 40 um overshoots the threshold. Where the threshold asks for more than 0.6 of the wall it is as stiff as that takes.
+    double friction = 1;     ///< A metre of wire in the wall [N/m]. No source; much more, and a soft free end is drawn
+                             ///< along instead of through.
+    double stiffness = 500;  ///< Of the wall about the wire, across it, and of what friction holds [N/m].
+    /// Of the dimple that the mesh does not resolve [N/m]. A cone of 10 degrees each side goes in deeper still
+    /// (Sneddon: 2/pi E / (1 - nu^2) d^2 tan 10, 25 N/m at 10 mN in 0.1 MPa); stiffer, a quick needle's step of 40 um
+    /// overshoots the threshold. Where the threshold asks for more than 0.6 of the wall it is as stiff as that takes.
     double tip_stiffness = 120;
-    double grip = 1;               ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
-    double hole = 0.055e-3;        ///< Radius of what is left for the thread, 1.3 times its own [m]: the wall closes about it behind the needle.
-    Vec3 axis = Vec3::UnitX();     ///< The vessel's, unit.
-    double wall = 0.5e-3;          ///< Thickness [m].
-    /// What a hole bears before it tears out to the cut, a metre of wall and a metre from there [N/m^2]: mammary arteries, 0.4 mm thick, bitten 2 mm from the edge, held
-    /// 1.35 +- 0.49 N. Taken as linear in both, up to 3 mm.
+    double grip = 1;         ///< Of the tip on skin that it has not pierced: friction over pressure. No source.
+    double hole = 0.055e-3;  ///< Radius of what is left for the thread, 1.3 times its own [m]: the wall closes about it
+                             ///< behind the needle.
+    Vec3 axis = Vec3::UnitX();  ///< The vessel's, unit.
+    double wall = 0.5e-3;       ///< Thickness [m].
+    /// What a hole bears before it tears out to the cut, a metre of wall and a metre from there [N/m^2]: mammary
+    /// arteries, 0.4 mm thick, bitten 2 mm from the edge, held 1.35 +- 0.49 N. Taken as linear in both, up to 3 mm.
     double retention = 1.35 / (0.4e-3 * 2e-3);
 };
 
 /// Where a needle, or the thread behind it, goes through a skin.
 struct BiteEnd {
-    int hole = -1;                 ///< In the skin; none: -1.
+    int hole = -1;  ///< In the skin; none: -1.
     MaterialPoint at;
     Side side = Side::outer;
-    double force = 0;              ///< That pierced it; through an old hole 0 [N].
-    bool caved_in = false;         ///< Pierced by less than BiteDef::puncture.
+    double force = 0;       ///< That pierced it; through an old hole 0 [N].
+    bool caved_in = false;  ///< Pierced by less than BiteDef::puncture.
 };
 
 enum class BiteState {
-    pricked,                       ///< The tip is in the wall.
-    open,                          ///< Through both skins: the needle's wire is in it, or what follows it.
-    empty,                         ///< The needle left the way it came.
+    pricked,  ///< The tip is in the wall.
+    open,     ///< Through both skins: the needle's wire is in it, or what follows it.
+    empty,    ///< The needle left the way it came.
 };
 
 /// One way through a wall, from skin to skin.
 struct Bite {
     BiteState state = BiteState::pricked;
     BiteEnd entry, exit;
-    double depth = 0;              ///< Of the wire below the skin at the entry, at the deepest [m].
-    double angle_to_wall = 0;      ///< Between needle and skin where the skin was first touched, 0 to a quarter turn [rad].
-    double angle_to_axis = 0;      ///< Between the plane of the needle, where it cuts the skin, and the vessel's axis, 0 to a quarter turn; of a straight one 0 [rad].
-    int pass = 0;                  ///< The same for bites of a needle that did not leave the vessel in between.
-    bool on_needle = true;         ///< The needle has not been drawn through yet; after that it is the thread's.
-    bool torn = false;             ///< Out to the cut: neither needle nor thread is held by it any more.
-    bool both_walls = false;       ///< One pass took this wall and, through the lumen, the one across.
-    bool partial() const {         ///< Does not go from outside to the lumen or back.
-        return state == BiteState::open && !((entry.side == Side::outer && exit.side == Side::inner) || (entry.side == Side::inner && exit.side == Side::outer));
+    double depth = 0;          ///< Of the wire below the skin at the entry, at the deepest [m].
+    double angle_to_wall = 0;  ///< Between needle and skin where the skin was first touched, 0 to a quarter turn [rad].
+    double angle_to_axis = 0;  ///< Between the plane of the needle, where it cuts the skin, and the vessel's axis, 0 to
+                               ///< a quarter turn; of a straight one 0 [rad].
+    int pass = 0;              ///< The same for bites of a needle that did not leave the vessel in between.
+    bool on_needle = true;     ///< The needle has not been drawn through yet; after that it is the thread's.
+    bool torn = false;         ///< Out to the cut: neither needle nor thread is held by it any more.
+    bool both_walls = false;   ///< One pass took this wall and, through the lumen, the one across.
+    bool partial() const {     ///< Does not go from outside to the lumen or back.
+        return state == BiteState::open && !((entry.side == Side::outer && exit.side == Side::inner) ||
+                                             (entry.side == Side::inner && exit.side == Side::outer));
     }
 };
 
 struct BiteEvent {
     enum Kind {
-        pierced,                   ///< Into the wall.
-        through,                   ///< Out of it.
-        back_in,                   ///< The needle goes back, its tip is in the wall again.
-        withdrawn,                 ///< It left the way it came.
-        drawn,                     ///< All of it is through.
-        torn,                      ///< Out to the cut, which it now opens into.
-        slipped,                   ///< The tip went over an edge of a wall that gave way too much to be pierced; no bite.
+        pierced,    ///< Into the wall.
+        through,    ///< Out of it.
+        back_in,    ///< The needle goes back, its tip is in the wall again.
+        withdrawn,  ///< It left the way it came.
+        drawn,      ///< All of it is through.
+        torn,       ///< Out to the cut, which it now opens into.
+        slipped,    ///< The tip went over an edge of a wall that gave way too much to be pierced; no bite.
     } kind;
-    int bite;                      ///< None: -1.
-    double force;                  ///< That pierced a skin or tore it, or that the tip pressed with before it slipped [N].
+    int bite;      ///< None: -1.
+    double force;  ///< That pierced a skin or tore it, or that the tip pressed with before it slipped [N].
 };
 
-/// A needle's way into, through and out of one vessel's wall, as often as it likes; its bites remain. Before the tip is through a skin it dimples it, or
-/// tents it from within; from then on the wire runs in a channel: the points of the wall where it enters and leaves are drawn onto the arc, and held
-/// along it by friction. What of the wire is outside pushes the wall aside as any tool does. Deterministic; nothing is allocated once there is room for forces and bites.
+/// A needle's way into, through and out of one vessel's wall, as often as it likes; its bites remain. Before the tip is
+/// through a skin it dimples it, or tents it from within; from then on the wire runs in a channel: the points of the
+/// wall where it enters and leaves are drawn onto the arc, and held along it by friction. What of the wire is outside
+/// pushes the wall aside as any tool does. Deterministic; nothing is allocated once there is room for forces and bites.
 ///
 /// Each step: press(), Tissue::step() with forces(), Skin::update(), settle().
 class Bites {
   public:
     Bites(const BiteDef& def, const Mesh& rest);
 
-    /// Where the needle is now; none: nullptr, as when it is taken away, or cut off behind its thread. One whose tip jumps by more than a quarter of its length is
-    /// taken away and put elsewhere. Some 50 us where the needle is near the vessel.
+    /// Where the needle is now; none: nullptr, as when it is taken away, or cut off behind its thread. One whose tip
+    /// jumps by more than a quarter of its length is taken away and put elsewhere. Some 50 us where the needle is near
+    /// the vessel.
     void press(const Arc* needle, const Skin& skin);
     std::span<const PointForce> forces() const { return forces_; }
     /// What came of it. Opens holes in the skin.
     void settle(Skin& skin);
 
-    /// How much a bite bears, by its hole that is further from the cut [N]; far from any, or in a wall without one, 3 mm's worth.
+    /// How much a bite bears, by its hole that is further from the cut [N]; far from any, or in a wall without one, 3
+    /// mm's worth.
     double bears(const Bite& bite) const;
-    /// Told what pulls at a bite [N], after settle(): the thread's, for the needle's own is known. True from when it has been more than the bite bears: it is torn,
-    /// the needle is in it no longer, and the skin is slit from its holes to the cut, 0.6 ms, so that thread can leave. What is only pricked does not tear. The
-    /// wall below stays as strong as it is.
+    /// Told what pulls at a bite [N], after settle(): the thread's, for the needle's own is known. True from when it
+    /// has been more than the bite bears: it is torn, the needle is in it no longer, and the skin is slit from its
+    /// holes to the cut, 0.6 ms, so that thread can leave. What is only pricked does not tear. The wall below stays as
+    /// strong as it is.
     bool pull(int bite, double force, Skin& skin);
 
-    /// Bites that are there from the start, drawn through: of a straight needle that went from `from` to `to` [m], at each wall on its way. Before the first press().
+    /// Bites that are there from the start, drawn through: of a straight needle that went from `from` to `to` [m], at
+    /// each wall on its way. Before the first press().
     void begin_with(const Vec3& from, const Vec3& to, Skin& skin);
 
     std::span<const Bite> bites() const { return bites_; }
@@ -105,24 +117,25 @@ class Bites {
     Vec3 force() const { return force_; }                          ///< On the needle [N].
     bool tip_is_in_wall() const { return crossings_.size() % 2 == 1; }
     int holes_on_needle() const { return static_cast<int>(crossings_.size()); }
-    bool touches() const { return touch_.active; }                 ///< The tip dimples or tents a skin.
+    bool touches() const { return touch_.active; }  ///< The tip dimples or tents a skin.
     const BiteDef& def() const { return def_; }
 
   private:
-    struct Touch {                      // of the tip and a skin that it has not pierced
+    struct Touch {  // of the tip and a skin that it has not pierced
         bool active = false, inwards = true;
-        int face = 0;                   // none: -1
-        Vec3 weights = Vec3::Zero();    // in the face
+        int face = 0;                 // none: -1
+        Vec3 weights = Vec3::Zero();  // in the face
         Side first_side = Side::outer;
         Vec3 first_normal = Vec3::Zero(), first_way = Vec3::Zero();  // of the skin, of the tip
-        Vec3 tip = Vec3::Zero();        // of the needle; in the step in which the skin gives way, as far as it does
-        double force = 0, gone = 0, gain = 0;  // [N], how far the tip went in a step [m], and how much force that added a metre
+        Vec3 tip = Vec3::Zero();  // of the needle; in the step in which the skin gives way, as far as it does
+        double force = 0, gone = 0,
+               gain = 0;  // [N], how far the tip went in a step [m], and how much force that added a metre
         bool gives_way = false, is_through = false;
     };
-    struct Crossing {                   // of the wire and a hole, in the order in which the tip made them
+    struct Crossing {  // of the wire and a hole, in the order in which the tip made them
         int bite, hole;
-        double along;                   // the wire [m]
-        double held;                    // the place of the wire that friction holds it at
+        double along;  // the wire [m]
+        double held;   // the place of the wire that friction holds it at
     };
 
     void let_go();
@@ -163,10 +176,10 @@ class Bites {
     BiteDef def_;
     CapsuleContact shaft_;
     Mesh rest_;
-    std::vector<Rim> outer_, inner_;    // of its cut
-    std::vector<int> cut_;              // faces
+    std::vector<Rim> outer_, inner_;  // of its cut
+    std::vector<int> cut_;            // faces
     Arc needle_;
-    std::vector<double> pulls_;         // of the needle at its holes [N]
+    std::vector<double> pulls_;  // of the needle at its holes [N]
     std::vector<Skin::Wire> wires_;
     bool has_needle_ = false;
     int passes_ = 0;

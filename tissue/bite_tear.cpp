@@ -8,7 +8,9 @@
 namespace tissue {
 
 Triangle Bites::cut_face(int face) const {
-    const auto corner = [&](std::size_t k) -> const Vec3& { return rest_.nodes[static_cast<std::size_t>(rest_.faces[static_cast<std::size_t>(face)].nodes[k])]; };
+    const auto corner = [&](std::size_t k) -> const Vec3& {
+        return rest_.nodes[static_cast<std::size_t>(rest_.faces[static_cast<std::size_t>(face)].nodes[k])];
+    };
     return {corner(0), corner(1), corner(2)};
 }
 
@@ -16,12 +18,14 @@ double Bites::from_cut(const MaterialPoint& point) const {
     constexpr double most = 3e-3;  // [m], to where retention grows with the bite
     const Vec3 at = position(point, rest_, rest_.nodes);
     double squared = most * most;
-    for (const int face : cut_) squared = std::min(squared, (sim::geometry::closest_point(at, cut_face(face)) - at).squaredNorm());
+    for (const int face : cut_)
+        squared = std::min(squared, (sim::geometry::closest_point(at, cut_face(face)) - at).squaredNorm());
     return std::sqrt(squared);
 }
 
 double Bites::bears(const Bite& bite) const {
-    return def_.retention * def_.wall * std::max(from_cut(bite.entry.at), bite.exit.hole >= 0 ? from_cut(bite.exit.at) : 0);
+    return def_.retention * def_.wall *
+           std::max(from_cut(bite.entry.at), bite.exit.hole >= 0 ? from_cut(bite.exit.at) : 0);
 }
 
 bool Bites::pull(int number, double force, Skin& skin) {
@@ -64,7 +68,8 @@ void Bites::slit(const Bite& bite, Skin& skin) const {
 void Bites::tear(int number, double force) {
     Bite& bite = bites_[static_cast<std::size_t>(number)];
     bite.torn = true, bite.on_needle = false;
-    const auto gone = std::remove_if(crossings_.begin(), crossings_.end(), [&](const Crossing& crossing) { return crossing.bite == number; });
+    const auto gone = std::remove_if(crossings_.begin(), crossings_.end(),
+                                     [&](const Crossing& crossing) { return crossing.bite == number; });
     crossings_.erase(gone, crossings_.end());
     touch_.active = false;
     events_.push_back({BiteEvent::torn, number, force});

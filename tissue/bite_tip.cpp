@@ -24,10 +24,18 @@ Vec3 Bites::touch_force(const Skin& skin) const {
 
 void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
     const int face = skin.face(spot.triangle);
-    touch_ = {.active = true, .inwards = !tip_is_in_wall(), .face = face, .weights = skin.weights_in_face(face, spot.at), .first_side = skin.side_of_face(face), .first_normal = skin.normal_of_face(face), .first_way = needle_.tangent(needle_.length()), .tip = needle_.tip()};
+    touch_ = {.active = true,
+              .inwards = !tip_is_in_wall(),
+              .face = face,
+              .weights = skin.weights_in_face(face, spot.at),
+              .first_side = skin.side_of_face(face),
+              .first_normal = skin.normal_of_face(face),
+              .first_way = needle_.tangent(needle_.length()),
+              .tip = needle_.tip()};
 }
 
-// As far as the needle's tip, or where the last step foretells that the skin gives way: a quick needle's step would go far beyond.
+// As far as the needle's tip, or where the last step foretells that the skin gives way: a quick needle's step would go
+// far beyond.
 void Bites::advance_touch() {
     const Vec3 way = needle_.tip() - touch_.tip;
     const double far = way.norm(), more = touch_.gain * far, lacks = def_.puncture - touch_.force;
@@ -47,7 +55,8 @@ void Bites::settle_touch(Skin& skin) {
         touch_.force = force;
         return;
     }
-    const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights), needle_.tangent(needle_.length()), def_.hole);
+    const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights),
+                                 needle_.tangent(needle_.length()), def_.hole);
     cross(skin, hole, touch_.inwards, touch_.first_normal, touch_.first_way, force);
 }
 
@@ -67,7 +76,8 @@ bool Bites::stays(const Skin& skin) {
     return (touch_.tip - spot.at).dot(way_of_touch(skin)) > 0;
 }
 
-// However little it pressed: a wall that gives way, or that is met flat, is through where the tip is out again on the other side, or its thickness beyond a skin.
+// However little it pressed: a wall that gives way, or that is met flat, is through where the tip is out again on the
+// other side, or its thickness beyond a skin.
 bool Bites::goes_through(const Skin& skin) {
     const Vec3 tip = needle_.tip();
     const bool is_out = !touch_.active && touch_.inwards && !is_in_wall(rest_.tetrahedra, skin.nodes(), tip);
@@ -75,7 +85,8 @@ bool Bites::goes_through(const Skin& skin) {
     const Skin::Spot spot = behind_tip(skin);
     if (spot.triangle < 0 || (!is_out && (tip - spot.at).norm() <= def_.wall)) return false;
     const int face = skin.face(spot.triangle);
-    if (is_out && from_cut(skin.point_of_face(face, skin.weights_in_face(face, spot.at))) < def_.wall) return false;  // it is pressed off over the cut
+    if (is_out && from_cut(skin.point_of_face(face, skin.weights_in_face(face, spot.at))) < def_.wall)
+        return false;  // it is pressed off over the cut
     const double force = touch_.force;
     touch_at(skin, spot);
     touch_.tip = spot.at, touch_.force = force, touch_.is_through = true;
@@ -92,15 +103,18 @@ void Bites::slide_touch(const Skin& skin) {
     events_.push_back({BiteEvent::slipped, -1, touch_.force});
 }
 
-// Back from the tip along the wire to where it comes through a skin, at most to the last hole: for walls that moved onto it.
+// Back from the tip along the wire to where it comes through a skin, at most to the last hole: for walls that moved
+// onto it.
 Skin::Spot Bites::behind_tip(const Skin& skin) const {
     constexpr double length = 2e-3;  // [m], beyond what a needle and a wall move in a step
     constexpr int pieces = 16;
-    const double tip = needle_.length(), end = std::max({0.0, tip - length, crossings_.empty() ? 0.0 : std::min(tip, crossings_.back().along)});
+    const double tip = needle_.length(),
+                 end = std::max({0.0, tip - length, crossings_.empty() ? 0.0 : std::min(tip, crossings_.back().along)});
     const auto facing = tip_is_in_wall() ? Skin::Facing::along : Skin::Facing::against;
     Skin::Spot found;
     for (int k = 0; k < pieces && found.triangle < 0; ++k)
-        found = skin.hit(needle_.at(tip + (end - tip) * (k + 1) / pieces), needle_.at(tip + (end - tip) * k / pieces), facing);
+        found = skin.hit(needle_.at(tip + (end - tip) * (k + 1) / pieces), needle_.at(tip + (end - tip) * k / pieces),
+                         facing);
     return found;
 }
 
@@ -110,12 +124,15 @@ int Bites::hole_behind_tip(const Skin& skin) const {
     int best = -1;
     double nearest = 0;
     for (int hole = 0; hole < skin.holes(); ++hole) {
-        const bool taken = std::any_of(crossings_.begin(), crossings_.end(), [&](const Crossing& c) { return c.hole == hole; });
+        const bool taken =
+            std::any_of(crossings_.begin(), crossings_.end(), [&](const Crossing& c) { return c.hole == hole; });
         const double reach = std::min(tip, 4 * skin.radius(hole));
-        const auto pair = sim::geometry::closest_points(needle_.at(tip - reach), needle_.tip(), skin.centre(hole), skin.centre(hole));
+        const auto pair =
+            sim::geometry::closest_points(needle_.at(tip - reach), needle_.tip(), skin.centre(hole), skin.centre(hole));
         const bool fits = skin.normal_of_hole(hole).dot(needle_.tangent(tip)) * (tip_is_in_wall() ? 1 : -1) > 0;
         const double far = pair.distance_squared / (skin.radius(hole) * skin.radius(hole));
-        if (!taken && fits && far < 1.2 && (best < 0 || far < nearest)) best = hole, nearest = far;  // the corners of an octagon are that far out
+        if (!taken && fits && far < 1.2 && (best < 0 || far < nearest))
+            best = hole, nearest = far;  // the corners of an octagon are that far out
     }
     return best;
 }
@@ -127,7 +144,8 @@ void Bites::begin_touch(const Vec3& tip_before, const Skin& skin) {
     if (spot.triangle < 0 && is_in_wall(rest_.tetrahedra, skin.nodes(), needle_.tip()) == was_in) return;
     if (spot.triangle < 0) {
         const int hole = hole_behind_tip(skin);
-        if (hole >= 0) return cross(skin, hole, !was_in, skin.normal_of_hole(hole), needle_.tangent(needle_.length()), 0);
+        if (hole >= 0)
+            return cross(skin, hole, !was_in, skin.normal_of_hole(hole), needle_.tangent(needle_.length()), 0);
         spot = behind_tip(skin);
     }
     if (spot.triangle < 0) spot = skin.closest(needle_.tip(), needle_.tip(), 1e-3);

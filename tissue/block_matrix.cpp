@@ -11,7 +11,8 @@ namespace tissue {
 
 namespace {
 
-// Approximate minimum degree (Amestoy, Davis and Duff 1996): a quarter less to multiply than dissection of a tube by slices.
+// Approximate minimum degree (Amestoy, Davis and Duff 1996): a quarter less to multiply than dissection of a tube by
+// slices.
 std::vector<int> elimination_order(int nodes, std::span<const std::array<int, 2>> couplings) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < nodes; ++i) entries.emplace_back(i, i, 1);
@@ -25,7 +26,8 @@ std::vector<int> elimination_order(int nodes, std::span<const std::array<int, 2>
 
 }  // namespace
 
-BlockMatrix::BlockMatrix(int nodes, std::span<const std::array<int, 2>> couplings) : node_(elimination_order(nodes, couplings)) {
+BlockMatrix::BlockMatrix(int nodes, std::span<const std::array<int, 2>> couplings)
+    : node_(elimination_order(nodes, couplings)) {
     rank_.resize(node_.size());
     for (std::size_t r = 0; r < node_.size(); ++r) rank_[static_cast<std::size_t>(node_[r])] = static_cast<int>(r);
     analyse(couplings);
@@ -71,7 +73,8 @@ void BlockMatrix::analyse(std::span<const std::array<int, 2>> couplings) {
 BlockMatrix::Place BlockMatrix::place(int i, int j) const {
     const int a = rank_[static_cast<std::size_t>(i)], b = rank_[static_cast<std::size_t>(j)];
     const auto [low, high] = std::minmax(a, b);
-    const auto begin = row_.begin() + first_[static_cast<std::size_t>(low)], end = row_.begin() + first_[static_cast<std::size_t>(low) + 1];
+    const auto begin = row_.begin() + first_[static_cast<std::size_t>(low)],
+               end = row_.begin() + first_[static_cast<std::size_t>(low) + 1];
     const auto found = std::lower_bound(begin, end, high);
     assert(found != end && *found == high && "a block is asked for that was not among the couplings");
     return {static_cast<int>(found - row_.begin()), a < b};
@@ -109,7 +112,8 @@ void BlockMatrix::add_diagonal(Place place, const Vec3& x) {
 
 // Takes off what the columns before, as far as they reach into this one's row, make of it.
 void BlockMatrix::update(std::size_t j) {
-    for (int b = first_[j]; b < first_[j + 1]; ++b) where_[static_cast<std::size_t>(row_[static_cast<std::size_t>(b)])] = b;
+    for (int b = first_[j]; b < first_[j + 1]; ++b)
+        where_[static_cast<std::size_t>(row_[static_cast<std::size_t>(b)])] = b;
     Padded* const next = next_.data();
     const int *const where = where_.data(), *const row = row_.data();
     for (int u = first_update_[j]; u < first_update_[j + 1]; ++u) {
@@ -133,11 +137,13 @@ bool BlockMatrix::finish(std::size_t j) {
     Padded& own = next_[static_cast<std::size_t>(first_[j])];
     // What is left of a number after taking off nearly all of it is rounding below this share.
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    const double l00 = own[0][0], l10 = own[0][1], l20 = own[0][2], size = rounding * (own[0][0] + own[1][1] + own[2][2]);
+    const double l00 = own[0][0], l10 = own[0][1], l20 = own[0][2],
+                 size = rounding * (own[0][0] + own[1][1] + own[2][2]);
     if (!(l00 > size)) return false;
     const double a = 1 / std::sqrt(l00), m10 = l10 * a, m20 = l20 * a, left11 = own[1][1] - m10 * m10;
     if (!(left11 > size)) return false;
-    const double b = 1 / std::sqrt(left11), m21 = (own[1][2] - m20 * m10) * b, left22 = own[2][2] - m20 * m20 - m21 * m21;
+    const double b = 1 / std::sqrt(left11), m21 = (own[1][2] - m20 * m10) * b,
+                 left22 = own[2][2] - m20 * m20 - m21 * m21;
     if (!(left22 > size)) return false;
     const double c = 1 / std::sqrt(left22), i10 = -m10 * a * b, i21 = -m21 * b * c, i20 = -(m20 * a + m21 * i10) * c;
     own = {Lane(a, i10, i20, 0), Lane(0, b, i21, 0), Lane(0, 0, c, 0)};

@@ -50,10 +50,13 @@ std::vector<Cells> cells_of(const Mesh& mesh) {
     for (std::size_t c = 0; c + 1 < mesh.cells.size(); ++c) {
         const Cells one = cell_of(mesh, c);
         const auto like = std::find_if(all.rbegin(), all.rend(), [&](const Cells& other) {
-            return other.used < Cells::lanes && other.count == one.count && other.tetrahedra == one.tetrahedra && other.corners == one.corners;
+            return other.used < Cells::lanes && other.count == one.count && other.tetrahedra == one.tetrahedra &&
+                   other.corners == one.corners;
         });
-        if (like == all.rend()) all.push_back(one);
-        else join(*like, one);
+        if (like == all.rend())
+            all.push_back(one);
+        else
+            join(*like, one);
     }
     return all;
 }
@@ -64,7 +67,8 @@ Volumes volumes(const Cells& cells, std::span<const Vec3> nodes) {
     Volumes six{};
     for (std::size_t t = 0; t < cells.tetrahedra; ++t) {
         const auto [o, a, b, c] = cells.corners[t];
-        const Lanes u = at[a] - at[o], v = at[b] - at[o], w = at[c] - at[o], of_a = cross(v, w), of_b = cross(w, u), of_c = cross(u, v);
+        const Lanes u = at[a] - at[o], v = at[b] - at[o], w = at[c] - at[o], of_a = cross(v, w), of_b = cross(w, u),
+                    of_c = cross(u, v);
         six.value += dot(u, of_a);
         six.gradient[a] += of_a, six.gradient[b] += of_b, six.gradient[c] += of_c;
         six.gradient[o] -= of_a, six.gradient[o] -= of_b, six.gradient[o] -= of_c;
@@ -86,13 +90,16 @@ Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec
     return {six.second / Lane(6), six.third / Lane(6)};
 }
 
-// Of a tetrahedron o a b c: what its volume feels at one corner when another moves is across the edge between the two others.
+// Of a tetrahedron o a b c: what its volume feels at one corner when another moves is across the edge between the two
+// others.
 std::array<Lanes, Cells::most_pairs> second_derivatives(const Cells& cells, std::span<const Vec3> nodes) {
     const Corners at = corners_of(cells, nodes);
     std::array<Lanes, Cells::most_pairs> six{};
     const auto add = [&](std::size_t a, std::size_t b, const Lanes& edge) {
-        if (a < b) six[pair(a, b)] += edge;
-        else six[pair(b, a)] -= edge;
+        if (a < b)
+            six[pair(a, b)] += edge;
+        else
+            six[pair(b, a)] -= edge;
     };
     for (std::size_t t = 0; t < cells.tetrahedra; ++t) {
         const auto [o, a, b, c] = cells.corners[t];

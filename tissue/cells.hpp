@@ -4,15 +4,18 @@
 
 namespace tissue {
 
-/// Up to four hexahedra or prisms that are split into tetrahedra in the same way, so that they can be looked at together.
+/// Up to four hexahedra or prisms that are split into tetrahedra in the same way, so that they can be looked at
+/// together.
 struct Cells {
-    static constexpr std::size_t lanes = 4, most_nodes = 8, most_tetrahedra = 6, most_pairs = most_nodes * (most_nodes - 1) / 2;
-    std::array<std::array<int, lanes>, most_nodes> nodes{};               ///< Where there are fewer cells, the last one again.
-    std::size_t count = 0;                                                ///< Of nodes of each.
-    std::array<std::array<unsigned char, 4>, most_tetrahedra> corners{};  ///< Of their tetrahedra, as places in `nodes`.
+    static constexpr std::size_t lanes = 4, most_nodes = 8, most_tetrahedra = 6,
+                                 most_pairs = most_nodes * (most_nodes - 1) / 2;
+    std::array<std::array<int, lanes>, most_nodes> nodes{};  ///< Where there are fewer cells, the last one again.
+    std::size_t count = 0;                                   ///< Of nodes of each.
+    std::array<std::array<unsigned char, 4>, most_tetrahedra>
+        corners{};  ///< Of their tetrahedra, as places in `nodes`.
     std::size_t tetrahedra = 0;
-    std::size_t used = 0;                                                 ///< How many cells.
-    Lane rest_volume;                                                     ///< [m^3]
+    std::size_t used = 0;  ///< How many cells.
+    Lane rest_volume;      ///< [m^3]
 };
 
 /// All cells of a mesh, but maybe in another order.
@@ -20,8 +23,8 @@ std::vector<Cells> cells_of(const Mesh& mesh);
 
 /// What the volumes of cells come to, and how they change with their nodes.
 struct Volumes {
-    Lane value;                                      ///< [m^3], negative where a cell is inside out.
-    std::array<Lanes, Cells::most_nodes> gradient;   ///< [m^2]
+    Lane value;                                     ///< [m^3], negative where a cell is inside out.
+    std::array<Lanes, Cells::most_nodes> gradient;  ///< [m^2]
 };
 Volumes volumes(const Cells& cells, std::span<const Vec3> nodes);
 
@@ -31,8 +34,11 @@ struct Bulge {
 };
 Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec3> way);
 
-/// Second derivatives of volumes: between nodes a < b the matrix of the cross product with number pair(a, b) of these; none of a node by itself.
-constexpr std::size_t pair(std::size_t a, std::size_t b) { return b * (b - 1) / 2 + a; }
+/// Second derivatives of volumes: between nodes a < b the matrix of the cross product with number pair(a, b) of these;
+/// none of a node by itself.
+constexpr std::size_t pair(std::size_t a, std::size_t b) {
+    return b * (b - 1) / 2 + a;
+}
 std::array<Lanes, Cells::most_pairs> second_derivatives(const Cells& cells, std::span<const Vec3> nodes);
 
 /// What nodes of these cells carry.

@@ -19,22 +19,29 @@ void CapsuleContact::find(const Skin& skin, const Capsule& capsule, const Capsul
         const double far = std::sqrt(pair.distance_squared), height = -off.dot(up);
         const bool outside = far > 0 && height > 0;
         if (outside && far >= capsule.radius) continue;
-        // Below: over its inside, no deeper than it came in this step and half of the radius; where the axis goes through a triangle its deeper end counts.
+        // Below: over its inside, no deeper than it came in this step and half of the radius; where the axis goes
+        // through a triangle its deeper end counts.
         const double below = far > 0 ? height : std::min(up.dot(capsule.a - pair.on_b), up.dot(capsule.b - pair.on_b));
-        const double came = std::min(4 * capsule.radius, std::max({0.0, -up.dot(gone_a), -up.dot(gone_b)}));  // what jumps further is not met
+        const double came = std::min(
+            4 * capsule.radius, std::max({0.0, -up.dot(gone_a), -up.dot(gone_b)}));  // what jumps further is not met
         if (!outside && (below < -0.5 * capsule.radius - came || -height < 0.9 * far)) continue;
         const double tiny = 1e-6 * capsule.radius;  // neighbours that share the place nearest to the axis
-        if (std::any_of(places_.begin(), places_.end(), [&](const Place& p) { return (p.at - pair.on_b).squaredNorm() < tiny * tiny; })) continue;
-        places_.push_back({i, pair.on_b, outside ? Vec3(off / far) : Vec3(-up), pair.s, capsule.radius - (outside ? far : below)});
+        if (std::any_of(places_.begin(), places_.end(),
+                        [&](const Place& p) { return (p.at - pair.on_b).squaredNorm() < tiny * tiny; }))
+            continue;
+        places_.push_back(
+            {i, pair.on_b, outside ? Vec3(off / far) : Vec3(-up), pair.s, capsule.radius - (outside ? far : below)});
     }
 }
 
-void CapsuleContact::press(const Skin& skin, const Capsule& now, const Capsule& before, std::vector<PointForce>& forces) {
+void CapsuleContact::press(const Skin& skin, const Capsule& now, const Capsule& before,
+                           std::vector<PointForce>& forces) {
     find(skin, now, before);
     for (const auto& [triangle, at, way, along, depth] : places_) {
         const MaterialPoint point = skin.point(triangle, weights_in(skin[triangle], at));
         forces.push_back({point, def_.stiffness * depth * way, def_.stiffness, way});
-        const Vec3 gone = (1 - along) * (now.a - before.a) + along * (now.b - before.b), across = gone - gone.dot(way) * way;
+        const Vec3 gone = (1 - along) * (now.a - before.a) + along * (now.b - before.b),
+                   across = gone - gone.dot(way) * way;
         const double far = across.norm(), most = def_.friction * def_.stiffness * depth;
         if (most == 0) continue;
         const double stiffness = far * def_.stiffness > most ? most / far : def_.stiffness;

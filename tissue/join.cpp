@@ -18,7 +18,9 @@ using std::numbers::pi;
 // The one of `all` that is nearest to a point at rest.
 Rim rim_next_to(std::vector<Rim> all, const Mesh& rest, const Vec3& point) {
     const auto off = [&](const Rim& rim) { return (middle(rim, rest.nodes) - point).norm(); };
-    return all.empty() ? Rim{} : *std::min_element(all.begin(), all.end(), [&](const Rim& a, const Rim& b) { return off(a) < off(b); });
+    return all.empty()
+               ? Rim{}
+               : *std::min_element(all.begin(), all.end(), [&](const Rim& a, const Rim& b) { return off(a) < off(b); });
 }
 
 // Where the wall is at rest, as far as any one point tells.
@@ -31,7 +33,8 @@ Vec3 centre(const Mesh& rest) {
 SewnEnd end_of(const SewnVessel& vessel, const SewnVessel& other) {
     const Rim outer = rim_next_to(rims(vessel.rest, Side::outer), vessel.rest, centre(other.rest));
     const std::vector<Rim> inner = rims(vessel.rest, Side::inner);
-    if (outer.nodes.empty() || inner.empty()) throw std::invalid_argument("a vessel without a cut across its lumen cannot be joined");
+    if (outer.nodes.empty() || inner.empty())
+        throw std::invalid_argument("a vessel without a cut across its lumen cannot be joined");
     return {vessel, outer, rim_next_to(inner, vessel.rest, middle(outer, vessel.rest.nodes))};
 }
 
@@ -39,7 +42,9 @@ SewnEnd end_of(const SewnVessel& vessel, const SewnVessel& other) {
 double wall_of(const Mesh& rest) {
     double area = 0, rim = 0;
     for (const Face& face : rest.faces) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return rest.nodes[static_cast<std::size_t>(face.nodes[k])]; };
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return rest.nodes[static_cast<std::size_t>(face.nodes[k])];
+        };
         if (face.side == Side::cut) area += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm();
     }
     for (const Side side : {Side::outer, Side::inner})
@@ -59,7 +64,8 @@ Lying in_lumen(std::span<const std::vector<Vec3>> threads, const SewnEnd& a, con
             const Vec3 link = thread[i + 1] - thread[i];
             const int pieces = 1 + static_cast<int>(link.norm() / diameter);
             for (int k = 0; k < pieces; ++k) {
-                const double depth = depth_in_lumen(thread[i] + (k + 0.5) / pieces * link, a.vessel.skin, b.vessel.skin, reach);
+                const double depth =
+                    depth_in_lumen(thread[i] + (k + 0.5) / pieces * link, a.vessel.skin, b.vessel.skin, reach);
                 if (depth > diameter) found.length += link.norm() / pieces;
                 found.deepest = std::max(found.deepest, depth);
             }
@@ -69,7 +75,8 @@ Lying in_lumen(std::span<const std::vector<Vec3>> threads, const SewnEnd& a, con
 
 double leak(std::span<const LinePiece> line, double wall, const Fluid& fluid) {
     double sum = 0;
-    for (const LinePiece& piece : line) sum += leak_of_slit(piece.gap, piece.width, std::max(wall, piece.overlap), fluid);
+    for (const LinePiece& piece : line)
+        sum += leak_of_slit(piece.gap, piece.width, std::max(wall, piece.overlap), fluid);
     return sum;
 }
 
@@ -78,7 +85,8 @@ double leak(std::span<const SewnBite> bites, double diameter, const Fluid& fluid
     for (const SewnBite& bite : bites) {
         if (bite.partial) continue;
         const double hole = bite.hole_radius, thread = diameter / 2;
-        sum += bite.thread < 0 ? leak_of_hole(pi * hole * hole, fluid) : leak_of_slit(hole - thread, pi * (hole + thread), bite.through, fluid);
+        sum += bite.thread < 0 ? leak_of_hole(pi * hole * hole, fluid)
+                               : leak_of_slit(hole - thread, pi * (hole + thread), bite.through, fluid);
     }
     return sum;
 }
@@ -101,7 +109,8 @@ Around around(const SewnEnd& end) {
     return {x, axis.cross(x)};
 }
 
-Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const std::vector<Vec3>> threads, double diameter, const Fluid& fluid) {
+Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const std::vector<Vec3>> threads,
+           double diameter, const Fluid& fluid) {
     const std::array<SewnEnd, 2> ends{end_of(first, second), end_of(second, first)};
     Join join;
     join.diameter = diameter, join.wall = wall_of(first.rest), join.rim = ends[0].outer.length;
@@ -110,15 +119,21 @@ Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const st
         const auto found = sewn_bites(ends[static_cast<std::size_t>(i)], i, around(ends[0]), threads, diameter);
         join.bites.insert(join.bites.end(), found.begin(), found.end());
     }
-    const auto is_before = [](const SewnBite& a, const SewnBite& b) { return std::tie(a.thread, a.along) < std::tie(b.thread, b.along); };
+    const auto is_before = [](const SewnBite& a, const SewnBite& b) {
+        return std::tie(a.thread, a.along) < std::tie(b.thread, b.along);
+    };
     std::stable_sort(join.bites.begin(), join.bites.end(), is_before);
     join.stitches = stitches_of(join.bites, join.rim / (2 * pi));
     for (const std::size_t i : {0, 1}) join.spacing[i] = spacing_of(join.bites, join.stitches, i, ends[i].outer.length);
     join.arc_of_pass = arc_of_pass(join.bites);
-    for (const SewnEnd& end : ends) join.lumen_ratio = std::min(join.lumen_ratio, lumen_ratio(end.inner, end.vessel.rest, end.nodes(), end.vessel.axis));
+    for (const SewnEnd& end : ends)
+        join.lumen_ratio =
+            std::min(join.lumen_ratio, lumen_ratio(end.inner, end.vessel.rest, end.nodes(), end.vessel.axis));
     const Lying thread = in_lumen(threads, ends[0], ends[1], diameter);
     join.thread_in_lumen = thread.length, join.deepest_thread = thread.deepest;
-    join.leak_of_line = leak(join.line, join.wall, fluid), join.leak_of_holes = leak(join.bites, diameter, fluid) + leak_of_passes(first, fluid) + leak_of_passes(second, fluid);
+    join.leak_of_line = leak(join.line, join.wall, fluid),
+    join.leak_of_holes =
+        leak(join.bites, diameter, fluid) + leak_of_passes(first, fluid) + leak_of_passes(second, fluid);
     return join;
 }
 

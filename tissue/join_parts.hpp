@@ -19,10 +19,12 @@ struct Around {
 Around around(const SewnEnd& end);
 
 /// All open bites of an end, by their numbers.
-std::vector<SewnBite> sewn_bites(const SewnEnd& end, int number, const Around& around, std::span<const std::vector<Vec3>> threads, double diameter);
+std::vector<SewnBite> sewn_bites(const SewnEnd& end, int number, const Around& around,
+                                 std::span<const std::vector<Vec3>> threads, double diameter);
 /// `bites` by thread and along it.
 std::vector<Stitch> stitches_of(std::span<const SewnBite> bites, double radius);
-std::vector<double> spacing_of(std::span<const SewnBite> bites, std::span<const Stitch> stitches, std::size_t vessel, double rim);
+std::vector<double> spacing_of(std::span<const SewnBite> bites, std::span<const Stitch> stitches, std::size_t vessel,
+                               double rim);
 double arc_of_pass(std::span<const SewnBite> bites);
 
 std::vector<LinePiece> suture_line(const SewnEnd& end, const SewnEnd& other, double wall);

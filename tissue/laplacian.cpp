@@ -10,9 +10,10 @@ namespace {
 
 using Rows = std::vector<std::map<int, double>>;
 
-// How much of the energy is that of the tetrahedra, each with a gradient of its own; the rest is that of the gradient's mean over a cell. Tetrahedra
-// alone are too stiff in bending: the edge of a cut, pulled at 20 mN, lacked a fifth of its way instead of a tenth (24 cells around, 2 far). With less than a half a cube that is
-// cramped on one side and spread on the other, its volume kept, would hold no energy.
+// How much of the energy is that of the tetrahedra, each with a gradient of its own; the rest is that of the gradient's
+// mean over a cell. Tetrahedra alone are too stiff in bending: the edge of a cut, pulled at 20 mN, lacked a fifth of
+// its way instead of a tenth (24 cells around, 2 far). With less than a half a cube that is cramped on one side and
+// spread on the other, its volume kept, would hold no energy.
 constexpr double own_share = 0.5;
 
 void add_tetrahedra(const Mesh& mesh, Rows& rows) {
@@ -25,7 +26,8 @@ void add_tetrahedra(const Mesh& mesh, Rows& rows) {
         slope[3] = (at(1) - at(0)).cross(at(2) - at(0)) / six;
         slope[0] = -slope[1] - slope[2] - slope[3];
         for (std::size_t a = 0; a < 4; ++a)
-            for (std::size_t b = 0; b < 4; ++b) rows[static_cast<std::size_t>(tet[a])][tet[b]] += own_share * six / 6 * slope[a].dot(slope[b]);
+            for (std::size_t b = 0; b < 4; ++b)
+                rows[static_cast<std::size_t>(tet[a])][tet[b]] += own_share * six / 6 * slope[a].dot(slope[b]);
     }
 }
 
@@ -35,7 +37,8 @@ void add_cells(const Mesh& mesh, Rows& rows) {
         for (std::size_t k = 0; k < cells.used; ++k)
             for (std::size_t a = 0; a < cells.count; ++a)
                 for (std::size_t b = 0; b < cells.count; ++b)
-                    rows[static_cast<std::size_t>(cells.nodes[a][k])][cells.nodes[b][k]] += (1 - own_share) * dot(gradient[a], gradient[b])[k] / volume[k];
+                    rows[static_cast<std::size_t>(cells.nodes[a][k])][cells.nodes[b][k]] +=
+                        (1 - own_share) * dot(gradient[a], gradient[b])[k] / volume[k];
     }
 }
 
@@ -56,7 +59,8 @@ void Laplacian::multiply(std::span<const Vec3> x, std::vector<Vec3>& to) const {
     to.resize(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
         Vec3 sum = Vec3::Zero();
-        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) sum += weight_[k] * x[static_cast<std::size_t>(column_[k])];
+        for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+            sum += weight_[k] * x[static_cast<std::size_t>(column_[k])];
         to[i] = sum;
     }
 }

@@ -10,13 +10,18 @@ namespace tissue {
 
 namespace {
 
-double diameter(const Rim& rim) { return rim.length / std::numbers::pi; }
+double diameter(const Rim& rim) {
+    return rim.length / std::numbers::pi;
+}
 
 std::vector<Face> inner_faces(const Mesh& mesh, const Vec3& centre, double reach) {
     std::vector<Face> found;
-    const auto is_near = [&](int node) { return (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm() <= reach; };
+    const auto is_near = [&](int node) {
+        return (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm() <= reach;
+    };
     for (const Face& face : mesh.faces)
-        if (face.side == Side::inner && std::all_of(face.nodes.begin(), face.nodes.end(), is_near)) found.push_back(face);
+        if (face.side == Side::inner && std::all_of(face.nodes.begin(), face.nodes.end(), is_near))
+            found.push_back(face);
     return found;
 }
 
@@ -24,7 +29,9 @@ std::vector<Face> inner_faces(const Mesh& mesh, const Vec3& centre, double reach
 double area(const Rim& rim, std::span<const Vec3> nodes, const Vec3& normal) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t k = 0; k < rim.nodes.size(); ++k) {
-        const auto at = [&](std::size_t i) -> const Vec3& { return nodes[static_cast<std::size_t>(rim.nodes[i % rim.nodes.size()])]; };
+        const auto at = [&](std::size_t i) -> const Vec3& {
+            return nodes[static_cast<std::size_t>(rim.nodes[i % rim.nodes.size()])];
+        };
         sum += (at(k) - at(0)).cross(at(k + 1) - at(0));
     }
     return std::abs(0.5 * sum.dot(normal));
@@ -32,13 +39,16 @@ double area(const Rim& rim, std::span<const Vec3> nodes, const Vec3& normal) {
 
 }  // namespace
 
-// Where a triangle has one corner on one side, the plane cuts the two edges there. An outline closes where each cut edge has two triangles. Its area is the
-// sum of what its pieces span with any point, the same way round in all.
-std::optional<double> section_area(std::span<const Face> inner, std::span<const Vec3> nodes, const Vec3& point, const Vec3& normal) {
+// Where a triangle has one corner on one side, the plane cuts the two edges there. An outline closes where each cut
+// edge has two triangles. Its area is the sum of what its pieces span with any point, the same way round in all.
+std::optional<double> section_area(std::span<const Face> inner, std::span<const Vec3> nodes, const Vec3& point,
+                                   const Vec3& normal) {
     std::vector<std::pair<int, int>> edges;
     Vec3 sum = Vec3::Zero();
     for (const Face& face : inner) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return nodes[static_cast<std::size_t>(face.nodes[k % 3])]; };
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return nodes[static_cast<std::size_t>(face.nodes[k % 3])];
+        };
         const auto height = [&](std::size_t k) { return normal.dot(at(k) - point); };
         const auto crossing = [&](std::size_t from, std::size_t to) {
             edges.push_back(std::minmax(face.nodes[from % 3], face.nodes[to % 3]));
@@ -93,7 +103,8 @@ double lumen_ratio(const Rim& inner, const Mesh& rest, std::span<const Vec3> nod
 }
 
 double depth_in_lumen(const Vec3& point, const Skin& a, const Skin& b, double reach) {
-    const Skin::Spot on_a = a.closest(point, point, reach), on_b = b.closest(point, point, on_a.triangle >= 0 ? on_a.distance : reach);
+    const Skin::Spot on_a = a.closest(point, point, reach),
+                     on_b = b.closest(point, point, on_a.triangle >= 0 ? on_a.distance : reach);
     const Skin& skin = on_b.triangle >= 0 ? b : a;
     const Skin::Spot& spot = on_b.triangle >= 0 ? on_b : on_a;
     if (spot.triangle < 0 || skin.side(spot.triangle) != Side::inner) return 0;

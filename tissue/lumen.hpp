@@ -6,22 +6,26 @@
 
 namespace tissue {
 
-/// Area of what a plane cuts out of the lumen within these inner faces [m^2], or nothing where its outline does not close. Several outlines count together.
-std::optional<double> section_area(std::span<const Face> inner, std::span<const Vec3> nodes, const Vec3& point, const Vec3& normal);
+/// Area of what a plane cuts out of the lumen within these inner faces [m^2], or nothing where its outline does not
+/// close. Several outlines count together.
+std::optional<double> section_area(std::span<const Face> inner, std::span<const Vec3> nodes, const Vec3& point,
+                                   const Vec3& normal);
 
-/// Which way a vessel's `axis`, unit, points away from its cut, at rest and now (unit). Now: as the wall within a diameter of the cut carries it along, by the
-/// affine map that fits it best.
+/// Which way a vessel's `axis`, unit, points away from its cut, at rest and now (unit). Now: as the wall within a
+/// diameter of the cut carries it along, by the affine map that fits it best.
 struct Axis {
     Vec3 rest, now;
 };
 Axis axis_at(const Rim& inner, const Mesh& rest, std::span<const Vec3> nodes, const Vec3& axis);
 
-/// Least area of the lumen next to a cut over what it is there at rest: of its inner rim, and of sections across the axis up to a diameter from there, a
-/// sixteenth of that apart. Sections that do not close are left out, as next to a slanted cut. The rim needs to have an area.
+/// Least area of the lumen next to a cut over what it is there at rest: of its inner rim, and of sections across the
+/// axis up to a diameter from there, a sixteenth of that apart. Sections that do not close are left out, as next to a
+/// slanted cut. The rim needs to have an area.
 double lumen_ratio(const Rim& inner, const Mesh& rest, std::span<const Vec3> nodes, const Vec3& axis);
 
-/// How deep a point is in the lumen of either of two vessels whose ends meet: its distance to the nearest of both skins where that is an inner side which
-/// looks at it, and 0 elsewhere or beyond `reach` [m]. Off an open end it counts as long as it is not further beyond than above the wall.
+/// How deep a point is in the lumen of either of two vessels whose ends meet: its distance to the nearest of both skins
+/// where that is an inner side which looks at it, and 0 elsewhere or beyond `reach` [m]. Off an open end it counts as
+/// long as it is not further beyond than above the wall.
 double depth_in_lumen(const Vec3& point, const Skin& a, const Skin& b, double reach);
 
 }  // namespace tissue

@@ -21,12 +21,12 @@ using Tetrahedron = std::array<int, 4>;
 
 /// A wall of tetrahedra, as it is when nothing pulls at it.
 struct Mesh {
-    std::vector<Vec3> nodes;                 ///< [m]
-    std::vector<Tetrahedron> tetrahedra;     ///< Of positive volume().
-    /// Cell c is tetrahedra cells[c] to cells[c + 1] - 1: one hexahedron of a tube, one prism of a wall. A cell keeps its volume as a whole,
-    /// for a linear tetrahedron that keeps its own can hardly move (it locks).
+    std::vector<Vec3> nodes;              ///< [m]
+    std::vector<Tetrahedron> tetrahedra;  ///< Of positive volume().
+    /// Cell c is tetrahedra cells[c] to cells[c + 1] - 1: one hexahedron of a tube, one prism of a wall. A cell keeps
+    /// its volume as a whole, for a linear tetrahedron that keeps its own can hardly move (it locks).
     std::vector<int> cells{0};
-    std::vector<Face> faces;                 ///< All of the surface.
+    std::vector<Face> faces;  ///< All of the surface.
 };
 
 /// Volume of a tetrahedron [m^3]; negative when it is turned inside out.

@@ -9,23 +9,26 @@ namespace tissue {
 
 namespace {
 
-constexpr double rounding = 1e-9; // of a radius: nearer than this to an edge of the outline is on it
+constexpr double rounding = 1e-9;  // of a radius: nearer than this to an edge of the outline is on it
 
 }  // namespace
 
-// Seen along the way that the hole is pierced; edges are numbered counter-clockwise from x. A slit is one drawn out along x: what of it looks
-// that way is further on.
+// Seen along the way that the hole is pierced; edges are numbered counter-clockwise from x. A slit is one drawn out
+// along x: what of it looks that way is further on.
 struct Skin::Outline {
     Vec3 centre, direction, x, y, up;
     double radius, length = 0;
 
     double beyond(std::size_t edge, const Vec3& point) const {  // [m]
-        const double u = x.dot(point - centre) - (edge < 2 || edge == 7 ? length : 0), v = y.dot(point - centre), d = std::sqrt(0.5);
+        const double u = x.dot(point - centre) - (edge < 2 || edge == 7 ? length : 0), v = y.dot(point - centre),
+                     d = std::sqrt(0.5);
         const std::array<double, 4> half{u, d * (u + v), v, d * (v - u)};
         return (edge < 4 ? half[edge] : -half[edge - 4]) - radius;
     }
-    double left_of_ray(std::size_t corner, const Vec3& point) const {  // from the centre through the corner after an edge of that number [m]
-        const double u = x.dot(point - centre) - (corner < 2 || corner > 5 ? length : 0), v = y.dot(point - centre), c = std::sqrt(0.5 + 0.5 * std::sqrt(0.5)), s = std::sqrt(0.5 - 0.5 * std::sqrt(0.5));
+    double left_of_ray(std::size_t corner, const Vec3& point)
+        const {  // from the centre through the corner after an edge of that number [m]
+        const double u = x.dot(point - centre) - (corner < 2 || corner > 5 ? length : 0), v = y.dot(point - centre),
+                     c = std::sqrt(0.5 + 0.5 * std::sqrt(0.5)), s = std::sqrt(0.5 - 0.5 * std::sqrt(0.5));
         const std::array<double, 4> half{c * v - s * u, s * v - c * u, -s * v - c * u, -c * v - s * u};
         return corner < 4 ? half[corner] : -half[corner - 4];
     }
@@ -64,29 +67,36 @@ Skin::Polygon Skin::clipped(const Polygon& all, int face, double tiny, const Hei
     return kept;
 }
 
-// Each sector beyond its edge is a convex piece that stays. Triangles that only go along are split by the same rays, so that neighbours keep fitting.
+// Each sector beyond its edge is a convex piece that stays. Triangles that only go along are split by the same rays, so
+// that neighbours keep fitting.
 bool Skin::cut(std::size_t i, const Outline& outline) {
     const double tiny = rounding * outline.radius;
     const Triangle before = triangles_[i];
     const int face = face_[i];
     Polygon whole;
     whole.add({before.a, corners_[i][0]}), whole.add({before.b, corners_[i][1]}), whole.add({before.c, corners_[i][2]});
-    const auto area = [&](const Polygon& p, std::size_t k) { return std::abs(outline.direction.dot((p[k - 1].at - p[0].at).cross(p[k].at - p[0].at))); };
+    const auto area = [&](const Polygon& p, std::size_t k) {
+        return std::abs(outline.direction.dot((p[k - 1].at - p[0].at).cross(p[k].at - p[0].at)));
+    };
     const double no_area = tiny * outline.radius;
     Polygon about = whole;
-    for (std::size_t edge = 0; edge < 8; ++edge) about = clipped(about, face, tiny, [&](const Vec3& at) { return (fade - 1) * outline.radius - outline.beyond(edge, at); });
+    for (std::size_t edge = 0; edge < 8; ++edge)
+        about = clipped(about, face, tiny,
+                        [&](const Vec3& at) { return (fade - 1) * outline.radius - outline.beyond(edge, at); });
     double reach = fade * outline.radius, near = 0;
     for (std::size_t k = 0; k < about.count; ++k) reach = std::min(reach, outline.height(about[k].at));
     for (std::size_t k = 2; k < about.count; ++k) near += area(about, k);
     if (near <= no_area || reach >= fade * outline.radius) return false;
     for (std::size_t edge = 0; edge < 8; ++edge) {
-        Polygon piece = clipped(whole, face, tiny, [&](const Vec3& at) { return outline.left_of_ray((edge + 7) % 8, at); });
+        Polygon piece =
+            clipped(whole, face, tiny, [&](const Vec3& at) { return outline.left_of_ray((edge + 7) % 8, at); });
         piece = clipped(piece, face, tiny, [&](const Vec3& at) { return -outline.left_of_ray(edge, at); });
         piece = clipped(piece, face, tiny, [&](const Vec3& at) { return outline.beyond(edge, at); });
         for (std::size_t k = 2; k < piece.count; ++k) {
             if (area(piece, k) <= no_area) continue;
             Eigen::Matrix3d weights;
-            weights << weights_in(before, piece[0].at), weights_in(before, piece[k - 1].at), weights_in(before, piece[k].at);
+            weights << weights_in(before, piece[0].at), weights_in(before, piece[k - 1].at),
+                weights_in(before, piece[k].at);
             parts_.push_back({parts_[i].of, parts_[i].weights * weights});
             triangles_.push_back({piece[0].at, piece[k - 1].at, piece[k].at});
             corners_.push_back({piece[0].corner, piece[k - 1].corner, piece[k].corner});
@@ -112,7 +122,8 @@ void Skin::anchor(int hole, const Outline& outline) {
     }
 }
 
-// It is cut out of the wall as it is at rest: a dimple in which it is pierced does not stay, and a rim that had its shape would stand out of it.
+// It is cut out of the wall as it is at rest: a dimple in which it is pierced does not stay, and a rim that had its
+// shape would stand out of it.
 int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius) {
     Hole& hole = holes_.emplace_back(Hole{face, radius, weights_in_face(face, point)});
     place(hole);
@@ -121,7 +132,8 @@ int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius
     std::vector<Wire> wires = std::exchange(wires_, {});
     update(rest_);
     const Vec3 up = hole.frame.col(2), direction = hole.frame * in_frame;
-    const double steep = direction.dot(up), most_aslant = std::sqrt(1 / (least_steep * least_steep) - 1) * std::abs(steep);
+    const double steep = direction.dot(up),
+                 most_aslant = std::sqrt(1 / (least_steep * least_steep) - 1) * std::abs(steep);
     const Vec3 aslant = direction - steep * up;
     const double bend = aslant.norm() > most_aslant ? most_aslant / aslant.norm() : 1;
     const Vec3 way = steep == 0 ? up : Vec3((steep * up + bend * aslant).normalized());
@@ -139,11 +151,14 @@ void Skin::open(const Outline& outline) {
     ++openings_;
     const std::size_t count = triangles_.size();
     for (std::size_t i = 0; i < count; ++i)
-        if (normal(static_cast<int>(i)).dot(outline.direction) * outline.up.dot(outline.direction) > 0 && cut(i, outline)) face_[i] = -1;
+        if (normal(static_cast<int>(i)).dot(outline.direction) * outline.up.dot(outline.direction) > 0 &&
+            cut(i, outline))
+            face_[i] = -1;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         if (face_[i] < 0) continue;
-        triangles_[kept] = triangles_[i], corners_[kept] = corners_[i], face_[kept] = face_[i], parts_[kept] = parts_[i];
+        triangles_[kept] = triangles_[i], corners_[kept] = corners_[i], face_[kept] = face_[i],
+        parts_[kept] = parts_[i];
         ++kept;
     }
     triangles_.resize(kept), corners_.resize(kept), face_.resize(kept), parts_.resize(kept), boxes_.resize(kept);

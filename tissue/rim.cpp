@@ -18,7 +18,9 @@ struct Edge {
 };
 
 Edge edge(const Rim& rim, std::size_t k, std::span<const Vec3> nodes) {
-    const auto at = [&](std::size_t i) -> const Vec3& { return nodes[static_cast<std::size_t>(rim.nodes[i % rim.nodes.size()])]; };
+    const auto at = [&](std::size_t i) -> const Vec3& {
+        return nodes[static_cast<std::size_t>(rim.nodes[i % rim.nodes.size()])];
+    };
     return {at(k), at(k + 1)};
 }
 
@@ -63,14 +65,17 @@ RimPoint nearest(const Rim& rim, const Mesh& rest, const Vec3& point) {
     for (std::size_t k = 0; k < rim.nodes.size(); ++k) {
         const Edge e = edge(rim, k, rest.nodes);
         const auto pair = sim::geometry::closest_points(e.from, e.to, point, point);
-        if (least < 0 || pair.distance_squared < least) least = pair.distance_squared, place = rim.places[k] + pair.s * e.length();
+        if (least < 0 || pair.distance_squared < least)
+            least = pair.distance_squared, place = rim.places[k] + pair.s * e.length();
     }
     return {place < rim.length ? place : 0, std::sqrt(std::max(0.0, least))};
 }
 
 Vec3 position(const Rim& rim, double place, std::span<const Vec3> nodes) {
     place -= rim.length * std::floor(place / rim.length);
-    const std::size_t k = static_cast<std::size_t>(std::upper_bound(rim.places.begin(), rim.places.end(), place) - rim.places.begin()) - 1;
+    const std::size_t k =
+        static_cast<std::size_t>(std::upper_bound(rim.places.begin(), rim.places.end(), place) - rim.places.begin()) -
+        1;
     const double from = rim.places[k], to = k + 1 < rim.places.size() ? rim.places[k + 1] : rim.length;
     const Edge e = edge(rim, k, nodes);
     return e.from + (to > from ? std::min(1.0, (place - from) / (to - from)) : 0) * (e.to - e.from);

@@ -6,21 +6,22 @@
 
 namespace tissue {
 
-/// Where a cut meets another side of the wall: a closed line of edges. A place on it is how far along it is at rest [m], from 0 to length.
+/// Where a cut meets another side of the wall: a closed line of edges. A place on it is how far along it is at rest
+/// [m], from 0 to length.
 struct Rim {
-    std::vector<int> nodes;       ///< In order, the cut to its left seen from outside the wall; the first is not repeated.
-    std::vector<double> places;   ///< Of the nodes.
-    double length = 0;            ///< At rest [m].
+    std::vector<int> nodes;  ///< In order, the cut to its left seen from outside the wall; the first is not repeated.
+    std::vector<double> places;  ///< Of the nodes.
+    double length = 0;           ///< At rest [m].
 };
 
-/// All closed lines of edges that a face of Side::cut shares with one of `side`: its outer rims, or its inner ones. By the lowest node of each; lines that do not
-/// close are left out.
+/// All closed lines of edges that a face of Side::cut shares with one of `side`: its outer rims, or its inner ones. By
+/// the lowest node of each; lines that do not close are left out.
 std::vector<Rim> rims(const Mesh& rest, Side side);
 
 /// A point of a rim [m] ...
 struct RimPoint {
     double place;
-    double distance;              ///< From what it is nearest to.
+    double distance;  ///< From what it is nearest to.
 };
 /// ... nearest to a point of the wall at rest. As far along as the rim has edges: some 10 ns each.
 RimPoint nearest(const Rim& rim, const Mesh& rest, const Vec3& point);

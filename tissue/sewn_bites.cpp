@@ -26,9 +26,12 @@ OnThread place_on(std::span<const Vec3> thread, const Vec3& point) {
 // The larger of both principal stretches of a face: the root of the larger eigenvalue of C = F^T F.
 double stretch(const Mesh& rest, std::span<const Vec3> nodes, int face) {
     const auto& corners = rest.faces[static_cast<std::size_t>(face)].nodes;
-    const auto at = [&](std::span<const Vec3> of, std::size_t k) -> const Vec3& { return of[static_cast<std::size_t>(corners[k])]; };
+    const auto at = [&](std::span<const Vec3> of, std::size_t k) -> const Vec3& {
+        return of[static_cast<std::size_t>(corners[k])];
+    };
     const auto edge = [&](std::span<const Vec3> of, std::size_t k) { return Vec3(at(of, k) - at(of, 0)); };
-    const Vec3 a = edge(rest.nodes, 1), b = edge(rest.nodes, 2), x = a.normalized(), y = a.cross(b).cross(a).normalized();
+    const Vec3 a = edge(rest.nodes, 1), b = edge(rest.nodes, 2), x = a.normalized(),
+               y = a.cross(b).cross(a).normalized();
     const Vec3 fx = edge(nodes, 1) / a.norm(), fy = (edge(nodes, 2) - b.dot(x) * fx) / b.dot(y);
     const double xx = fx.squaredNorm(), yy = fy.squaredNorm(), xy = fx.dot(fy), half = 0.5 * (xx - yy);
     return std::sqrt(0.5 * (xx + yy) + std::sqrt(half * half + xy * xy));
@@ -59,7 +62,8 @@ class Measuring {
         const Skin& skin = end_.vessel.skin;
         sewn.hole_radius = std::min(skin.radius(bite_.entry.hole), skin.radius(bite_.exit.hole));
         for (const int hole : {bite_.entry.hole, bite_.exit.hole})
-            sewn.hole = std::max(sewn.hole, 2 * skin.radius(hole) * stretch(rest_, end_.nodes(), skin.face_of_hole(hole)));
+            sewn.hole =
+                std::max(sewn.hole, 2 * skin.radius(hole) * stretch(rest_, end_.nodes(), skin.face_of_hole(hole)));
     }
 
     void thread(SewnBite& sewn, std::span<const std::vector<Vec3>> threads, double diameter) const {
@@ -84,7 +88,9 @@ class Measuring {
 }  // namespace
 
 int thread_in(const Bite& bite, const Skin& skin, std::span<const std::vector<Vec3>> threads, double diameter) {
-    const auto off = [&](std::span<const Vec3> thread, const BiteEnd& end) { return place_on(thread, skin.centre(end.hole)).distance / (2 * skin.radius(end.hole) + diameter); };
+    const auto off = [&](std::span<const Vec3> thread, const BiteEnd& end) {
+        return place_on(thread, skin.centre(end.hole)).distance / (2 * skin.radius(end.hole) + diameter);
+    };
     double best = 1;
     int found = -1;
     for (std::size_t i = 0; i < threads.size(); ++i) {
@@ -101,12 +107,19 @@ double Around::angle(const SewnEnd& end, double place) const {
     return sim::geometry::portable_atan2(out.dot(y), out.dot(x));
 }
 
-std::vector<SewnBite> sewn_bites(const SewnEnd& end, int number, const Around& around, std::span<const std::vector<Vec3>> threads, double diameter) {
+std::vector<SewnBite> sewn_bites(const SewnEnd& end, int number, const Around& around,
+                                 std::span<const std::vector<Vec3>> threads, double diameter) {
     std::vector<SewnBite> found;
     for (std::size_t i = 0; i < end.vessel.bites.size(); ++i) {
         const Bite& bite = end.vessel.bites[i];
         if (bite.state != BiteState::open) continue;
-        SewnBite sewn{.vessel = number, .bite = static_cast<int>(i), .pass = bite.pass, .partial = bite.partial(), .both_walls = bite.both_walls, .depth = bite.depth, .torn = bite.torn};
+        SewnBite sewn{.vessel = number,
+                      .bite = static_cast<int>(i),
+                      .pass = bite.pass,
+                      .partial = bite.partial(),
+                      .both_walls = bite.both_walls,
+                      .depth = bite.depth,
+                      .torn = bite.torn};
         const Measuring measuring(end, bite);
         measuring.place(sewn, around);
         measuring.holes(sewn);

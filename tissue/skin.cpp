@@ -9,27 +9,38 @@
 namespace tissue {
 
 Vec3 weights_in(const Triangle& triangle, const Vec3& point) {
-    const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, ap = point - triangle.a, normal = ab.cross(ac);
+    const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, ap = point - triangle.a,
+               normal = ab.cross(ac);
     const double nn = normal.squaredNorm();
     if (!(nn > 0)) return Vec3::Constant(1.0 / 3);
     const double v = normal.dot(ap.cross(ac)) / nn, w = normal.dot(ab.cross(ap)) / nn;
     return {1 - v - w, v, w};
 }
 
-Skin::Skin(const Mesh& rest) : faces_(rest.faces), tetrahedron_(faces_.size()), place_in_(faces_.size()), rest_(rest.nodes), nodes_(rest.nodes), pierced_at_(rest.nodes) {
+Skin::Skin(const Mesh& rest)
+    : faces_(rest.faces),
+      tetrahedron_(faces_.size()),
+      place_in_(faces_.size()),
+      rest_(rest.nodes),
+      nodes_(rest.nodes),
+      pierced_at_(rest.nodes) {
     std::map<std::array<int, 3>, std::size_t> known;
     const auto sorted = [](std::array<int, 3> nodes) { return std::sort(nodes.begin(), nodes.end()), nodes; };
     for (std::size_t f = 0; f < faces_.size(); ++f) known[sorted(faces_[f].nodes)] = f;
     for (std::size_t t = 0; t < rest.tetrahedra.size(); ++t)
         for (std::size_t left_out = 0; left_out < 4; ++left_out) {
             const Tetrahedron& tet = rest.tetrahedra[t];
-            const auto found = known.find(sorted({tet[(left_out + 1) % 4], tet[(left_out + 2) % 4], tet[(left_out + 3) % 4]}));
+            const auto found =
+                known.find(sorted({tet[(left_out + 1) % 4], tet[(left_out + 2) % 4], tet[(left_out + 3) % 4]}));
             if (found == known.end()) continue;
             tetrahedron_[found->second] = static_cast<int>(t);
-            for (std::size_t k = 0; k < 3; ++k) place_in_[found->second][k] = static_cast<int>(std::find(tet.begin(), tet.end(), faces_[found->second].nodes[k]) - tet.begin());
+            for (std::size_t k = 0; k < 3; ++k)
+                place_in_[found->second][k] =
+                    static_cast<int>(std::find(tet.begin(), tet.end(), faces_[found->second].nodes[k]) - tet.begin());
         }
     const std::size_t with_holes = 4 * faces_.size() + 4096;  // a hole adds some thirty
-    triangles_.reserve(with_holes), boxes_.reserve(with_holes), face_.reserve(with_holes), parts_.reserve(with_holes), corners_.reserve(with_holes), holes_.reserve(128), wires_.reserve(128);
+    triangles_.reserve(with_holes), boxes_.reserve(with_holes), face_.reserve(with_holes), parts_.reserve(with_holes),
+        corners_.reserve(with_holes), holes_.reserve(128), wires_.reserve(128);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
         face_.push_back(static_cast<int>(f));
         corners_.push_back({Corner{Vec3::UnitX()}, Corner{Vec3::UnitY()}, Corner{Vec3::UnitZ()}});
@@ -52,13 +63,15 @@ Vec3 Skin::weights_in_face(int face, const Vec3& point) const {
 }
 
 void Skin::place(Hole& hole) const {
-    const Vec3 edge = node(hole.face, 1) - node(hole.face, 0), along = edge.normalized(), up = edge.cross(node(hole.face, 2) - node(hole.face, 0)).normalized();
+    const Vec3 edge = node(hole.face, 1) - node(hole.face, 0), along = edge.normalized(),
+               up = edge.cross(node(hole.face, 2) - node(hole.face, 0)).normalized();
     hole.centre = at_face(hole.face, hole.weights);
     hole.frame << along, up.cross(along), up;
     hole.aside = Vec3::Zero(), hole.reshaped = Eigen::Matrix3d::Zero();
 }
 
-// As far as the wall is stretched along the way that something goes through it aslant, seen along which the opening then is as wide as across.
+// As far as the wall is stretched along the way that something goes through it aslant, seen along which the opening
+// then is as wide as across.
 Eigen::Matrix3d Skin::drawn_out(const Vec3& in_frame, bool back) {
     const Vec3 flat = Vec3(in_frame.x(), in_frame.y(), 0).normalized();
     const double steep = std::max(std::abs(in_frame.z()), least_steep);
@@ -69,7 +82,8 @@ Eigen::Matrix3d Skin::drawn_out(const Vec3& in_frame, bool back) {
 void Skin::put_on(const Wire& wire) {
     Hole& hole = holes_[index(wire.hole)];
     hole.aside = wire.at - hole.centre;
-    hole.reshaped = hole.frame * (drawn_out(hole.frame.transpose() * wire.along, false) * drawn_out(hole.way, true) - Eigen::Matrix3d::Identity());
+    hole.reshaped = hole.frame * (drawn_out(hole.frame.transpose() * wire.along, false) * drawn_out(hole.way, true) -
+                                  Eigen::Matrix3d::Identity());
 }
 
 Vec3 Skin::position(int face, const Corner& corner) const {
@@ -77,7 +91,8 @@ Vec3 Skin::position(int face, const Corner& corner) const {
     if (corner.hole < 0) return carried;
     const Hole& hole = holes_[index(corner.hole)];
     const double radii = fade - corner.share * (fade - 1);  // further out nothing goes by more than the rim
-    return carried + corner.share * (hole.centre + hole.frame * corner.offset - carried + hole.aside + hole.reshaped * (corner.offset / radii));
+    return carried + corner.share * (hole.centre + hole.frame * corner.offset - carried + hole.aside +
+                                     hole.reshaped * (corner.offset / radii));
 }
 
 void Skin::set_box(std::size_t i) {
@@ -92,7 +107,8 @@ void Skin::update(std::span<const Vec3> nodes) {
     for (const Wire& wire : wires_) put_on(wire);
     all_ = {};
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        triangles_[i] = {position(face_[i], corners_[i][0]), position(face_[i], corners_[i][1]), position(face_[i], corners_[i][2])};
+        triangles_[i] = {position(face_[i], corners_[i][0]), position(face_[i], corners_[i][1]),
+                         position(face_[i], corners_[i][2])};
         set_box(i);
     }
 }
@@ -104,7 +120,8 @@ Vec3 Skin::normal(int triangle) const {
 
 MaterialPoint Skin::point_of_face(int face, const Vec3& weights) const {
     MaterialPoint found{tetrahedron_[index(face)], {}};
-    for (std::size_t k = 0; k < 3; ++k) found.weights[index(place_in_[index(face)][k])] = weights[static_cast<Eigen::Index>(k)];
+    for (std::size_t k = 0; k < 3; ++k)
+        found.weights[index(place_in_[index(face)][k])] = weights[static_cast<Eigen::Index>(k)];
     return found;
 }
 
@@ -113,7 +130,8 @@ MaterialPoint Skin::point(int triangle, const Vec3& weights) const {
     return point_of_face(face(triangle), weights.x() * a.weights + weights.y() * b.weights + weights.z() * c.weights);
 }
 
-// By the volumes that the segment spans with the edges: two neighbours find exactly opposite ones, so that one of them is hit.
+// By the volumes that the segment spans with the edges: two neighbours find exactly opposite ones, so that one of them
+// is hit.
 Skin::Spot Skin::hit(const Vec3& from, const Vec3& to, Facing facing) const {
     Spot best;
     Box reach;
@@ -125,7 +143,9 @@ Skin::Spot Skin::hit(const Vec3& from, const Vec3& to, Facing facing) const {
         const Vec3 a = (*this)[i].a - from, b = (*this)[i].b - from, c = (*this)[i].c - from;
         const Vec3 share(way.dot(b.cross(c)), way.dot(c.cross(a)), way.dot(a.cross(b)));
         const double sum = share.sum();  // positive where the way and the normal agree
-        if (sum == 0 || (facing == Facing::against && sum > 0) || (facing == Facing::along && sum < 0) || (sum > 0 ? share.minCoeff() < 0 : share.maxCoeff() > 0)) continue;
+        if (sum == 0 || (facing == Facing::against && sum > 0) || (facing == Facing::along && sum < 0) ||
+            (sum > 0 ? share.minCoeff() < 0 : share.maxCoeff() > 0))
+            continue;
         const Vec3 weights = share / sum, at = weights.x() * a + weights.y() * b + weights.z() * c;
         const double along = at.dot(way) / way.squaredNorm();
         if (along < 0 || along > 1 || (best.triangle >= 0 && along >= best.along)) continue;

@@ -13,7 +13,9 @@ double arc(const SewnBite& a, const SewnBite& b) {
     return std::abs(off - turn * std::round(off / turn));
 }
 
-bool is_one_pass(const SewnBite& a, const SewnBite& b) { return a.thread >= 0 && a.thread == b.thread && a.vessel == b.vessel && a.pass == b.pass; }
+bool is_one_pass(const SewnBite& a, const SewnBite& b) {
+    return a.thread >= 0 && a.thread == b.thread && a.vessel == b.vessel && a.pass == b.pass;
+}
 
 Stitch stitch(std::span<const SewnBite> bites, std::size_t from, std::size_t to, double radius) {
     const SewnBite &a = bites[from], &b = bites[to];
@@ -37,7 +39,8 @@ std::vector<Stitch> stitches_of(std::span<const SewnBite> bites, double radius) 
     std::vector<Stitch> found;
     for (std::size_t from = 0; from < bites.size();) {
         const std::size_t next = end_of_pass(from);
-        const bool is_same_thread = next < bites.size() && bites[from].thread >= 0 && bites[from].thread == bites[next].thread;
+        const bool is_same_thread =
+            next < bites.size() && bites[from].thread >= 0 && bites[from].thread == bites[next].thread;
         const bool goes_over = is_same_thread && bites[from].vessel != bites[next].vessel;
         const std::size_t end = goes_over ? end_of_pass(next) : next;
         if (goes_over) found.push_back(stitch(bites, from, end - 1, radius));
@@ -46,11 +49,13 @@ std::vector<Stitch> stitches_of(std::span<const SewnBite> bites, double radius) 
     return found;
 }
 
-std::vector<double> spacing_of(std::span<const SewnBite> bites, std::span<const Stitch> stitches, std::size_t vessel, double rim) {
+std::vector<double> spacing_of(std::span<const SewnBite> bites, std::span<const Stitch> stitches, std::size_t vessel,
+                               double rim) {
     std::vector<double> places, spacing;
     for (const Stitch& s : stitches) places.push_back(bites[static_cast<std::size_t>(s.bites[vessel])].place);
     std::sort(places.begin(), places.end());
-    for (std::size_t i = 0; i < places.size(); ++i) spacing.push_back(i + 1 < places.size() ? places[i + 1] - places[i] : places[0] + rim - places[i]);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        spacing.push_back(i + 1 < places.size() ? places[i + 1] - places[i] : places[0] + rim - places[i]);
     return spacing;
 }
 

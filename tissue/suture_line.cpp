@@ -42,10 +42,12 @@ std::vector<LinePiece> suture_line(const SewnEnd& end, const SewnEnd& other, dou
     std::vector<LinePiece> line;
     for (int i = 0; i < pieces; ++i) {
         LinePiece piece{.place = (i + 0.5) * length, .length = length};
-        const Across from = across(end, i * length), middle = across(end, piece.place), to = across(end, (i + 1) * length);
+        const Across from = across(end, i * length), middle = across(end, piece.place),
+                     to = across(end, (i + 1) * length);
         piece.width = 0.5 * ((to.outer - from.outer).norm() + (to.inner - from.inner).norm());
         const Skin::Spot spot = other.vessel.skin.closest(middle.outer, middle.inner, reach);
-        const bool is_within = is_in_wall(other.vessel.rest.tetrahedra, other.nodes(), 0.5 * (middle.outer + middle.inner));
+        const bool is_within =
+            is_in_wall(other.vessel.rest.tetrahedra, other.nodes(), 0.5 * (middle.outer + middle.inner));
         piece.gap = is_within ? 0 : spot.distance;
         if (spot.triangle >= 0 && piece.gap < wall) piece.overlap = overlap(other, spot);
         line.push_back(piece);

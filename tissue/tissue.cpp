@@ -21,14 +21,23 @@ std::vector<std::array<int, 2>> couplings(std::span<const Cells> all) {
 }  // namespace
 
 Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
-    : rest_(std::move(mesh)), material_(material), solver_(solver), laplacian_(rest_), cells_(cells_of(rest_)), mass_(rest_.nodes.size()), x_(rest_.nodes),
+    : rest_(std::move(mesh)),
+      material_(material),
+      solver_(solver),
+      laplacian_(rest_),
+      cells_(cells_of(rest_)),
+      mass_(rest_.nodes.size()),
+      x_(rest_.nodes),
       matrix_(static_cast<int>(x_.size()), couplings(cells_)) {
     for (const Tetrahedron& tet : rest_.tetrahedra)
-        for (const int i : tet) mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);
+        for (const int i : tet)
+            mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);
     const std::size_t n = x_.size();
-    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_, &last_push_, &solved_, &left_, &next_, &along_way_, &pull_})
+    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_,
+                                     &last_push_, &solved_, &left_, &next_, &along_way_, &pull_})
         nodes->assign(n, Vec3::Zero());
-    for (std::vector<PointForce>* forces : {&stiff_, &factored_stiff_, &used_stiff_}) forces->reserve(rest_.faces.size());
+    for (std::vector<PointForce>* forces : {&stiff_, &factored_stiff_, &used_stiff_})
+        forces->reserve(rest_.faces.size());
     free_.assign(n, Vec3::Ones());
     factored_x_ = x_, factored_free_ = free_;
     volumes_.resize(cells_.size()), factored_volumes_ = used_volumes_ = volumes_;
@@ -41,7 +50,8 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
             for (std::size_t b = 0; b < cells_[c].count; ++b) {
                 const auto& nodes = cells_[c].nodes;
                 own_places_[c][k][b] = matrix_.place(nodes[b][k], nodes[b][k]);
-                for (std::size_t a = 0; a < b; ++a) cell_places_[c][k][pair(a, b)] = matrix_.place(nodes[a][k], nodes[b][k]);
+                for (std::size_t a = 0; a < b; ++a)
+                    cell_places_[c][k][pair(a, b)] = matrix_.place(nodes[a][k], nodes[b][k]);
             }
     for (int i = 0; i < static_cast<int>(n); ++i) {
         auto& places = row_places_.emplace_back();
@@ -52,7 +62,8 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
 void Tissue::place(std::span<const Vec3> nodes) {
     x_.assign(nodes.begin(), nodes.end());
     v_.assign(x_.size(), Vec3::Zero());
-    for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] = volumes(cells_[c], x_).value / cells_[c].rest_volume - Lane(1);
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+        swelling_[c] = volumes(cells_[c], x_).value / cells_[c].rest_volume - Lane(1);
     have_factors_ = factoring_ = false;
     last_product_ = 0;
 }
@@ -75,7 +86,8 @@ double Tissue::energy() const {
     double sum = 0.5 * material_.shear() * dot(x_, lx);
     for (const Cells& cells : cells_) {
         const Lane swelling = volumes(cells, x_).value / cells.rest_volume - Lane(1);
-        Lane energies = cells.rest_volume * (0.5 * material_.bulk() * swelling * swelling - material_.shear() * (swelling + Lane(1.5)));
+        Lane energies = cells.rest_volume *
+                        (0.5 * material_.bulk() * swelling * swelling - material_.shear() * (swelling + Lane(1.5)));
         energies.clear_from(cells.used);
         sum += energies.sum();
     }
@@ -97,7 +109,8 @@ void Tissue::add_forces(std::span<const PointForce> forces) {
     outside_.assign(x_.size(), Vec3::Zero());
     stiff_.clear();
     for (const PointForce& force : forces) {
-        share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights, force.force, outside_);
+        share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights, force.force,
+              outside_);
         if (force.stiffness > 0) stiff_.push_back(force);
     }
 }
@@ -116,7 +129,8 @@ void Tissue::add_pressure(double pressure) {
 void Tissue::find_residual() {
     const double mu = material_.shear(), viscous = material_.viscosity() * rate_;
     for (std::size_t i = 0; i < x_.size(); ++i)
-        residual_[i] = outside_[i] - mu * lx_[i] - viscous * (lx_[i] - lx_before_[i]) - drag_ * mass_[i] * (x_[i] - before_[i]);
+        residual_[i] =
+            outside_[i] - mu * lx_[i] - viscous * (lx_[i] - lx_before_[i]) - drag_ * mass_[i] * (x_[i] - before_[i]);
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cells& cells = cells_[c];
         volumes_[c] = volumes(cells, x_);
@@ -124,7 +138,8 @@ void Tissue::find_residual() {
         const Lane p = pressure(c);
         for (std::size_t n = 0; n < cells.count; ++n) {
             const Lanes force = p * volumes_[c].gradient[n];
-            for (std::size_t k = 0; k < cells.used; ++k) residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(force.x[k], force.y[k], force.z[k]);
+            for (std::size_t k = 0; k < cells.used; ++k)
+                residual_[static_cast<std::size_t>(cells.nodes[n][k])] -= Vec3(force.x[k], force.y[k], force.z[k]);
         }
     }
     add_lost(stiff_, -1, x_, residual_), add_lost(stiff_, 1, before_, residual_);
@@ -155,14 +170,16 @@ Descent Tissue::energy_along_way() {
         more[3] += k * second * third;
         more[4] += 0.5 * k * third * third;
     }
-    Descent energy{-dot(push_, way_), 0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag + stiff)};
+    Descent energy{-dot(push_, way_),
+                   0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag + stiff)};
     for (std::size_t k = 0; k < more.size(); ++k) energy[k + 1] += more[k].sum();
     return energy;
 }
 
 void Tissue::go_along_way(double far) {
     for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += far * way_[i], lx_[i] += far * lway_[i];
-    for (std::size_t c = 0; c < cells_.size(); ++c) swelling_[c] += far * (along_[c][0] + far * (along_[c][1] + far * along_[c][2]));
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+        swelling_[c] += far * (along_[c][0] + far * (along_[c][1] + far * along_[c][2]));
 }
 
 Report Tissue::step(const Input& input, double seconds) {

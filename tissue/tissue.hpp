@@ -15,46 +15,53 @@ namespace tissue {
 /// A node that goes where it is put, or slides on the planes or lines across the axes along which it is not held.
 struct Hold {
     int node;
-    Vec3 target;                                   ///< [m]
-    std::array<bool, 3> along{true, true, true};   ///< Which axes it is held along.
+    Vec3 target;                                  ///< [m]
+    std::array<bool, 3> along{true, true, true};  ///< Which axes it is held along.
 };
 
-/// A force at a point of the wall: the same throughout a step, or falling as the point gives way, as what presses or pulls it does (a tool's side, a
-/// thread's tension, a needle). With the whole stiffness of what pushes, that is met however stiff it is and long the step.
+/// A force at a point of the wall: the same throughout a step, or falling as the point gives way, as what presses or
+/// pulls it does (a tool's side, a thread's tension, a needle). With the whole stiffness of what pushes, that is met
+/// however stiff it is and long the step.
 struct PointForce {
     MaterialPoint at;
-    Vec3 force;                   ///< Where the point was at the step's start [N].
-    double stiffness = 0;         ///< So much less for each metre that it goes from there in the step [N/m].
-    Vec3 along = Vec3::Zero();    ///< Unit: the stiffness is of this way alone, what slides across is not held back; zero: of all ways.
+    Vec3 force;                 ///< Where the point was at the step's start [N].
+    double stiffness = 0;       ///< So much less for each metre that it goes from there in the step [N/m].
+    Vec3 along = Vec3::Zero();  ///< Unit: the stiffness is of this way alone, what slides across is not held back;
+                                ///< zero: of all ways.
 
-    Vec3 lost(const Vec3& gone) const { return stiffness * (along.isZero(0) ? gone : Vec3(along.dot(gone) * along)); }  ///< [N]
+    Vec3 lost(const Vec3& gone) const {
+        return stiffness * (along.isZero(0) ? gone : Vec3(along.dot(gone) * along));
+    }  ///< [N]
 };
 
 /// What acts on a wall during one step.
 struct Input {
-    std::span<const Hold> holds = {};              ///< Each node once.
+    std::span<const Hold> holds = {};  ///< Each node once.
     std::span<const PointForce> forces = {};
-    double pressure = 0;                           ///< On inner faces, outwards [Pa]; where a tube ends it is open.
+    double pressure = 0;  ///< On inner faces, outwards [Pa]; where a tube ends it is open.
 };
 
 /// How a step is solved.
 struct Solver {
-    int iterations = 1;          ///< Moves a step.
-    int steps_per_factor = 8;    ///< A factorisation is spread over so many steps; 0: all of it before each move, which is Newton's method.
-    double tolerance = 0;        ///< No more moves once no node is out of balance by more [N].
+    int iterations = 1;  ///< Moves a step.
+    int steps_per_factor =
+        8;  ///< A factorisation is spread over so many steps; 0: all of it before each move, which is Newton's method.
+    double tolerance = 0;  ///< No more moves once no node is out of balance by more [N].
 };
 
 /// What a step came to.
 struct Report {
     int iterations = 0;
-    double residual = 0;   ///< Largest force on a node that was out of balance before the last move [N].
+    double residual = 0;       ///< Largest force on a node that was out of balance before the last move [N].
     double energy_change = 0;  ///< Of the last move, damping included [J]: never above 0.
 };
 
-/// A vessel's wall that gives way: nearly incompressible, neo-Hookean and viscous, without inertia, in steps of implicit Euler. A step goes down the
-/// energy with what the damping takes, from where the wall is, along Newton's direction of a stiffness that is some steps old, to the lowest point
-/// on the line, which is that of a polynomial. So the wall's energy less the work of steady forces never rises, however long the step and old the
-/// stiffness; what a step leaves undone is the next one's. Deterministic; nothing is allocated after the first step, with up to as many forces as faces.
+/// A vessel's wall that gives way: nearly incompressible, neo-Hookean and viscous, without inertia, in steps of
+/// implicit Euler. A step goes down the energy with what the damping takes, from where the wall is, along Newton's
+/// direction of a stiffness that is some steps old, to the lowest point on the line, which is that of a polynomial. So
+/// the wall's energy less the work of steady forces never rises, however long the step and old the stiffness; what a
+/// step leaves undone is the next one's. Deterministic; nothing is allocated after the first step, with up to as many
+/// forces as faces.
 class Tissue {
   public:
     /// `mesh` must have tetrahedra, of positive volume, in cells of at most eight nodes and six tetrahedra.
@@ -65,11 +72,13 @@ class Tissue {
 
     const Mesh& rest() const { return rest_; }
     const Material& material() const { return material_; }
-    std::span<const Vec3> nodes() const { return x_; }         ///< [m]
-    std::span<const Vec3> velocity() const { return v_; }      ///< [m/s]
-    Vec3 position(const MaterialPoint& point) const;           ///< [m]
-    double energy() const;                                     ///< Elastic [J].
-    Vec3 hold_force(int node) const { return -residual_[static_cast<std::size_t>(node)]; }  ///< What it was pulled with before the last move [N].
+    std::span<const Vec3> nodes() const { return x_; }     ///< [m]
+    std::span<const Vec3> velocity() const { return v_; }  ///< [m/s]
+    Vec3 position(const MaterialPoint& point) const;       ///< [m]
+    double energy() const;                                 ///< Elastic [J].
+    Vec3 hold_force(int node) const {
+        return -residual_[static_cast<std::size_t>(node)];
+    }  ///< What it was pulled with before the last move [N].
     /// Puts nodes elsewhere, at rest; the stiffness is that of the new shape at the next step.
     void place(std::span<const Vec3> nodes);
 
@@ -84,7 +93,8 @@ class Tissue {
     void find_way(bool afresh);
     void find_strain();
     void soften(std::span<const Vec3> push, std::vector<Vec3>& to);
-    void add_lost(std::span<const PointForce> forces, double times, std::span<const Vec3> way, std::vector<Vec3>& to) const;
+    void add_lost(std::span<const PointForce> forces, double times, std::span<const Vec3> way,
+                  std::vector<Vec3>& to) const;
     void find_solved();
     Descent energy_along_way();
     void begin_factor();
@@ -102,30 +112,31 @@ class Tissue {
     Solver solver_;
     Laplacian laplacian_;
     std::vector<Cells> cells_;
-    std::vector<double> mass_;                              // of nodes [kg]
+    std::vector<double> mass_;  // of nodes [kg]
     std::vector<Vec3> x_, v_, before_;
-    std::vector<Vec3> free_, outside_;                      // 1 along axes on which a node is free, 0 where held; forces from outside
-    std::vector<PointForce> stiff_, factored_stiff_, used_stiff_;  // of the step's forces, of what is being factored, of what solves are with
-    std::vector<Vec3> lx_, lx_before_, lway_;               // L times nodes, and times the way
+    std::vector<Vec3> free_, outside_;  // 1 along axes on which a node is free, 0 where held; forces from outside
+    std::vector<PointForce> stiff_, factored_stiff_,
+        used_stiff_;  // of the step's forces, of what is being factored, of what solves are with
+    std::vector<Vec3> lx_, lx_before_, lway_;                       // L times nodes, and times the way
     std::vector<Vec3> residual_, push_, way_, last_push_, solved_;  // push: what of the residual is on free nodes
-    std::vector<Vec3> left_, next_, along_way_, pull_;      // of a solve with other forces than are factored
+    std::vector<Vec3> left_, next_, along_way_, pull_;              // of a solve with other forces than are factored
     std::vector<Volumes> volumes_;
-    std::vector<Lane> swelling_;                            // J - 1 of cells
-    std::vector<std::array<Lane, 3>> along_;                // coefficients of the volume along the way
-    double rate_ = 0, drag_ = 0;                            // steps a second, and what a unit of mass resists a step with [1/s^2]
+    std::vector<Lane> swelling_;              // J - 1 of cells
+    std::vector<std::array<Lane, 3>> along_;  // coefficients of the volume along the way
+    double rate_ = 0, drag_ = 0;              // steps a second, and what a unit of mass resists a step with [1/s^2]
     double last_product_ = 0;
 
     BlockMatrix matrix_;
     std::vector<std::array<std::array<BlockMatrix::Place, Cells::most_pairs>, Cells::lanes>> cell_places_;
     std::vector<std::array<std::array<BlockMatrix::Place, Cells::most_nodes>, Cells::lanes>> own_places_;
     std::vector<std::vector<BlockMatrix::Place>> row_places_;
-    std::vector<Vec3> factored_x_, factored_free_;          // the state that is being factored
+    std::vector<Vec3> factored_x_, factored_free_;  // the state that is being factored
     double factored_rate_ = 0, factored_drag_ = 0;
-    std::size_t assembled_ = 0;                             // nodes and cells
+    std::size_t assembled_ = 0;  // nodes and cells
     std::vector<Lane> factored_pressure_;
-    std::vector<Volumes> factored_volumes_, used_volumes_;   // of that state, and of the one that solves are with
-    std::vector<std::array<Lane, 3>> strain_;               // how the wall about nodes is deformed since then, by columns
-    std::vector<double> shared_;                            // volume of the cells that share a node
+    std::vector<Volumes> factored_volumes_, used_volumes_;  // of that state, and of the one that solves are with
+    std::vector<std::array<Lane, 3>> strain_;  // how the wall about nodes is deformed since then, by columns
+    std::vector<double> shared_;               // volume of the cells that share a node
     bool factoring_ = false, have_factors_ = false, whole_ = true;
 };
 

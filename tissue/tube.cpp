@@ -16,15 +16,16 @@ using Place = std::array<int, 3>;  // of a node in the grid: along, around, thro
 constexpr double degree = EIGEN_PI / 180;
 
 // The six orders in which three edges lead from a corner of a cell to the opposite one, each a tetrahedron (Kuhn 1960).
-constexpr int paths[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};  // the last three go round the other way
+constexpr int paths[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                             {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};  // the last three go round the other way
 constexpr std::size_t opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};  // seen from outside
 
-// Adds one cell after another; node(place) tells a node's number, side(places) whose surface three of them are on, if any. `turns_left`: the
-// axes along, around and through of the grid are a left-handed system.
+// Adds one cell after another; node(place) tells a node's number, side(places) whose surface three of them are on, if
+// any. `turns_left`: the axes along, around and through of the grid are a left-handed system.
 template <class Node, class Side>
 void add_cell(Mesh& mesh, const Place& cell, bool turns_left, const Node& node, const Side& side) {
-    // Every other cell is mirrored, so that diagonals meet on the faces between them and none prevails. Two axes change places where that would
-    // turn tetrahedra inside out, so that all cells are split alike.
+    // Every other cell is mirrored, so that diagonals meet on the faces between them and none prevails. Two axes change
+    // places where that would turn tetrahedra inside out, so that all cells are split alike.
     const bool mirrored = (cell[0] + cell[1] + cell[2]) & 1;
     for (std::size_t way = 0; way < 6; ++way) {
         const auto& path = paths[way];
@@ -41,7 +42,8 @@ void add_cell(Mesh& mesh, const Place& cell, bool turns_left, const Node& node, 
         for (std::size_t k = 0; k < 4; ++k) tet[k] = node(places[k]);
         mesh.tetrahedra.push_back(tet);
         for (const auto& [a, b, c] : opposite)
-            if (const auto found = side(places[a], places[b], places[c])) mesh.faces.push_back({{tet[a], tet[b], tet[c]}, *found});
+            if (const auto found = side(places[a], places[b], places[c]))
+                mesh.faces.push_back({{tet[a], tet[b], tet[c]}, *found});
     }
     mesh.cells.push_back(static_cast<int>(mesh.tetrahedra.size()));
 }
@@ -73,13 +75,16 @@ std::vector<double> sections(const TubeDef& def) {
 }  // namespace
 
 std::optional<std::string> problem_with(const TubeDef& def) {
-    if (!(def.wall > 0 && def.wall < def.diameter / 2 && def.diameter < 1)) return "wall must be above 0 and below half of the diameter";
+    if (!(def.wall > 0 && def.wall < def.diameter / 2 && def.diameter < 1))
+        return "wall must be above 0 and below half of the diameter";
     if (!(def.cut_angle >= 45 && def.cut_angle <= 90)) return "cut angle must be 45 to 90 degrees";
     if (def.around < 6 || def.around % 2 != 0) return "cells around must be an even number, at least 6";
     if (def.through < 1 || def.near < 1 || def.far < 0) return "cells through and along must be at least 1";
-    if (!(def.length < 1 && def.near_length > 0) || (def.far > 0 ? def.near_length >= def.length : def.near_length != def.length))
+    if (!(def.length < 1 && def.near_length > 0) ||
+        (def.far > 0 ? def.near_length >= def.length : def.near_length != def.length))
         return "the near length must be above 0 and below the length, or all of it when no cells are far";
-    if (def.length <= 0.5 * def.diameter / std::sqrt(2) + 0.5 * def.diameter) return "the tube must be longer than its slanted cut";
+    if (def.length <= 0.5 * def.diameter / std::sqrt(2) + 0.5 * def.diameter)
+        return "the tube must be longer than its slanted cut";
     return {};
 }
 
@@ -95,7 +100,8 @@ Mesh make_tube(const TubeDef& def) {
             for (int t = 0; t < layers; ++t) {
                 const auto [sin, cos] = portable_sin_cos(turn * a);
                 const double radius = corners_out * (def.diameter / 2 - def.wall + def.wall * t / def.through);
-                mesh.nodes.emplace_back(share * def.length + (1 - share) * slope * radius * cos, radius * cos, radius * sin);
+                mesh.nodes.emplace_back(share * def.length + (1 - share) * slope * radius * cos, radius * cos,
+                                        radius * sin);
             }
     const auto node = [&](const Place& p) { return (p[0] * def.around + p[1] % def.around) * layers + p[2]; };
     const auto side = [&](const Place& a, const Place& b, const Place& c) -> std::optional<Side> {

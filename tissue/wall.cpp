@@ -24,7 +24,9 @@ struct Surface {
     Vec3 area(const Triangle& t) const { return 0.5 * (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])); }
 };
 
-std::string name(std::size_t triangle) { return "triangle " + std::to_string(triangle + 1); }
+std::string name(std::size_t triangle) {
+    return "triangle " + std::to_string(triangle + 1);
+}
 
 Problem problem_with_triangles(const Surface& surface) {
     if (surface.triangles.empty()) return "the surface has no triangles";
@@ -33,16 +35,19 @@ Problem problem_with_triangles(const Surface& surface) {
         const Triangle& triangle = surface.triangles[t];
         double edge = 0;
         for (const int i : triangle) {
-            if (i < 0 || i >= static_cast<int>(surface.vertices.size())) return name(t) + " has a corner that does not exist";
+            if (i < 0 || i >= static_cast<int>(surface.vertices.size()))
+                return name(t) + " has a corner that does not exist";
             if (!surface.at(i).allFinite()) return name(t) + " has a corner that is not a finite number";
             used[static_cast<std::size_t>(i)] = true;
         }
-        for (std::size_t k = 0; k < 3; ++k) edge = std::max(edge, (surface.at(triangle[k]) - surface.at(triangle[(k + 1) % 3])).norm());
+        for (std::size_t k = 0; k < 3; ++k)
+            edge = std::max(edge, (surface.at(triangle[k]) - surface.at(triangle[(k + 1) % 3])).norm());
         constexpr double thinnest = 1e-6;  // height over length: that of what was meant as a line and written as float
         if (!(2 * surface.area(triangle).norm() > thinnest * edge * edge)) return name(t) + " has no area, remove it";
     }
     const auto unused = std::find(used.begin(), used.end(), false);
-    if (unused != used.end()) return "vertex " + std::to_string(unused - used.begin() + 1) + " belongs to no triangle, remove it";
+    if (unused != used.end())
+        return "vertex " + std::to_string(unused - used.begin() + 1) + " belongs to no triangle, remove it";
     return {};
 }
 
@@ -52,15 +57,18 @@ Problem problem_with_edges(const Surface& surface) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const int from = surface.triangles[t][k], to = surface.triangles[t][(k + 1) % 3];
-            if (++uses[{std::min(from, to), std::max(from, to)}] > 2) return name(t) + " has an edge of more than two triangles, a surface has at most two";
-            if (!ways.insert({from, to}).second) return name(t) + " faces the other way than its neighbour, turn one around";
+            if (++uses[{std::min(from, to), std::max(from, to)}] > 2)
+                return name(t) + " has an edge of more than two triangles, a surface has at most two";
+            if (!ways.insert({from, to}).second)
+                return name(t) + " faces the other way than its neighbour, turn one around";
         }
     return {};
 }
 
 // About a vertex triangles are one fan: closed, or open between two rims.
 Problem problem_with_fans(const Surface& surface) {
-    std::vector<std::map<int, int>> next(surface.vertices.size());  // of a vertex: from which neighbour to which a triangle leads about it
+    std::vector<std::map<int, int>> next(
+        surface.vertices.size());  // of a vertex: from which neighbour to which a triangle leads about it
     for (const Triangle& t : surface.triangles)
         for (std::size_t k = 0; k < 3; ++k) next[static_cast<std::size_t>(t[k])][t[(k + 1) % 3]] = t[(k + 2) % 3];
     for (std::size_t v = 0; v < next.size(); ++v) {
@@ -70,11 +78,13 @@ Problem problem_with_fans(const Surface& surface) {
         for (const auto& [from, to] : next[v])
             if (!reached.contains(from)) first = from;  // at a rim
         std::size_t steps = 0;
-        for (auto at = next[v].find(first); at != next[v].end() && steps < next[v].size(); at = next[v].find(at->second)) {
+        for (auto at = next[v].find(first); at != next[v].end() && steps < next[v].size();
+             at = next[v].find(at->second)) {
             ++steps;
             if (at->second == first) break;
         }
-        if (steps < next[v].size()) return "parts of the surface meet in vertex " + std::to_string(v + 1) + " alone, part them";
+        if (steps < next[v].size())
+            return "parts of the surface meet in vertex " + std::to_string(v + 1) + " alone, part them";
     }
     return {};
 }
@@ -94,34 +104,42 @@ Problem problem_with_pieces(const Surface& surface) {
             up(high) = low;
         }
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-        if (first_of(surface.triangles[t][0]) != first_of(surface.triangles[0][0])) return name(t) + " is not joined to the first one, a wall is one piece";
+        if (first_of(surface.triangles[t][0]) != first_of(surface.triangles[0][0]))
+            return name(t) + " is not joined to the first one, a wall is one piece";
     return {};
 }
 
-// Mean of the normals of a vertex's triangles by their angles there, as long as it takes to be 1 above them in the mean.
+// Mean of the normals of a vertex's triangles by their angles there, as long as it takes to be 1 above them in the
+// mean.
 std::vector<Vec3> normals_of(const Surface& surface) {
     std::vector<Vec3> normals(surface.vertices.size(), Vec3::Zero());
     std::vector<double> above(normals.size()), angles(normals.size());
     const auto for_corners = [&](const auto& visit) {
         for (const Triangle& t : surface.triangles)
             for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3 a = (surface.at(t[(k + 1) % 3]) - surface.at(t[k])).normalized(), b = (surface.at(t[(k + 2) % 3]) - surface.at(t[k])).normalized();
-                visit(static_cast<std::size_t>(t[k]), surface.area(t).normalized(), a.cross(b).norm());  // the sine serves as well as the angle
+                const Vec3 a = (surface.at(t[(k + 1) % 3]) - surface.at(t[k])).normalized(),
+                           b = (surface.at(t[(k + 2) % 3]) - surface.at(t[k])).normalized();
+                visit(static_cast<std::size_t>(t[k]), surface.area(t).normalized(),
+                      a.cross(b).norm());  // the sine serves as well as the angle
             }
     };
     for_corners([&](std::size_t v, const Vec3& normal, double angle) { normals[v] += angle * normal; });
     for (Vec3& normal : normals) normal = normal.norm() > 0 ? Vec3(normal.normalized()) : Vec3::Zero();
-    for_corners([&](std::size_t v, const Vec3& normal, double angle) { above[v] += angle * normal.dot(normals[v]), angles[v] += angle; });
+    for_corners([&](std::size_t v, const Vec3& normal, double angle) {
+        above[v] += angle * normal.dot(normals[v]), angles[v] += angle;
+    });
     for (std::size_t v = 0; v < normals.size(); ++v) normals[v] *= above[v] > 0 ? angles[v] / above[v] : 0;
     return normals;
 }
 
-// Of a prism over corners in the order of their numbers: diagonals lead down from the lower one, so that neighbours agree.
+// Of a prism over corners in the order of their numbers: diagonals lead down from the lower one, so that neighbours
+// agree.
 void add_prism(Mesh& mesh, Triangle corners, int layers, int below) {
     const bool even = (corners[0] < corners[1]) + (corners[1] < corners[2]) + (corners[2] < corners[0]) == 2;
     std::sort(corners.begin(), corners.end());
     const auto node = [&](std::size_t corner, int up) { return corners[corner] * layers + below + up; };
-    for (const Tetrahedron& tet : {Tetrahedron{node(0, 0), node(1, 0), node(2, 0), node(2, 1)}, Tetrahedron{node(0, 0), node(1, 0), node(2, 1), node(1, 1)},
+    for (const Tetrahedron& tet : {Tetrahedron{node(0, 0), node(1, 0), node(2, 0), node(2, 1)},
+                                   Tetrahedron{node(0, 0), node(1, 0), node(2, 1), node(1, 1)},
                                    Tetrahedron{node(0, 0), node(1, 1), node(2, 1), node(0, 1)}}) {
         mesh.tetrahedra.push_back(tet);
         if (!even) std::swap(mesh.tetrahedra.back()[1], mesh.tetrahedra.back()[2]);
@@ -134,7 +152,8 @@ void add_faces(Mesh& mesh, const Surface& surface, int through) {
     const int layers = through + 1;
     std::set<std::array<int, 2>> ways;
     for (const Triangle& t : surface.triangles) {
-        mesh.faces.push_back({{t[0] * layers + through, t[1] * layers + through, t[2] * layers + through}, Side::outer});
+        mesh.faces.push_back(
+            {{t[0] * layers + through, t[1] * layers + through, t[2] * layers + through}, Side::outer});
         mesh.faces.push_back({{t[0] * layers, t[2] * layers, t[1] * layers}, Side::inner});
         for (std::size_t k = 0; k < 3; ++k) ways.insert({t[k], t[(k + 1) % 3]});
     }
@@ -164,7 +183,8 @@ Problem problem_with_faces(const Mesh& mesh, const Surface& surface, double thic
             const auto& its = mesh.faces[static_cast<std::size_t>(other)].nodes;
             if (std::find_first_of(mine.begin(), mine.end(), its.begin(), its.end()) != mine.end()) continue;
             for (std::size_t k = 0; k < 3; ++k)
-                if (closest_points(at(its[k]), at(its[(k + 1) % 3]), faces[f]).distance_squared < rounding * rounding * thickness * thickness)
+                if (closest_points(at(its[k]), at(its[(k + 1) % 3]), faces[f]).distance_squared <
+                    rounding * rounding * thickness * thickness)
                     return "the wall goes through itself at " + name(f / 2);
         }
     }
@@ -176,7 +196,8 @@ Problem problem_with_faces(const Mesh& mesh, const Surface& surface, double thic
 Wall make_wall(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const WallDef& def) {
     const Surface surface{vertices, triangles};
     Wall wall;
-    if (!(def.thickness > 0) || def.through < 1) wall.problem = "a wall must be thicker than 0 and have at least one cell through it";
+    if (!(def.thickness > 0) || def.through < 1)
+        wall.problem = "a wall must be thicker than 0 and have at least one cell through it";
     for (const auto check : {problem_with_triangles, problem_with_edges, problem_with_fans, problem_with_pieces})
         if (!wall.problem) wall.problem = check(surface);
     if (wall.problem) return wall;
@@ -184,14 +205,17 @@ Wall make_wall(std::span<const Vec3> vertices, std::span<const Triangle> triangl
     const int layers = def.through + 1;
     const std::vector<Vec3> normals = normals_of(surface);
     for (std::size_t v = 0; v < vertices.size(); ++v)
-        for (int t = 0; t < layers; ++t) mesh.nodes.push_back(vertices[v] - def.thickness * (def.through - t) / def.through * normals[v]);
+        for (int t = 0; t < layers; ++t)
+            mesh.nodes.push_back(vertices[v] - def.thickness * (def.through - t) / def.through * normals[v]);
     for (const Triangle& triangle : triangles)
         for (int t = 0; t < def.through; ++t) add_prism(mesh, triangle, layers, t);
     // Above a hundredth of what it would be over a flat triangle: thinner ones would be stiff beyond measure.
     constexpr double least = 0.01;
     for (std::size_t k = 0; k < mesh.tetrahedra.size(); ++k) {
         const std::size_t t = k / (3 * static_cast<std::size_t>(def.through));
-        if (volume(mesh.tetrahedra[k], mesh.nodes) > least * surface.area(triangles[t]).norm() * def.thickness / (3 * def.through)) continue;
+        if (volume(mesh.tetrahedra[k], mesh.nodes) >
+            least * surface.area(triangles[t]).norm() * def.thickness / (3 * def.through))
+            continue;
         wall.problem = "the wall is too thick for how its surface curves at " + name(t);
         return wall;
     }

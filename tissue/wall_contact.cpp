@@ -68,24 +68,30 @@ static bool is_next_to(const Mesh& rest, int node, const Face& face, double thic
     return nearest < longest || nearest < 1.5 * thickness;
 }
 
-// Beyond an edge two triangles are as near: which side the node is on says the one that sees it less aslant. Of its own wall over a triangle's inside alone:
-// about a hole that a needle dents the skins come near to each other.
-void WallContact::look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle, const Vec3& up, bool same) {
-    constexpr double rounding = 1e-9;  // of a distance: thousands of times what two triangles make of the edge they share
+// Beyond an edge two triangles are as near: which side the node is on says the one that sees it less aslant. Of its own
+// wall over a triangle's inside alone: about a hole that a needle dents the skins come near to each other.
+void WallContact::look_at(const Mesh& rest, const Skin& nodes_of, int node, const Skin& triangles_of, int triangle,
+                          const Vec3& up, bool same) {
+    constexpr double rounding =
+        1e-9;  // of a distance: thousands of times what two triangles make of the edge they share
     Nearest& known = nearest_[static_cast<std::size_t>(node)];
     const Vec3& at = nodes_of.nodes()[static_cast<std::size_t>(node)];
     const double depth = up.dot(triangles_of[triangle].a - at);
     if (!(std::abs(depth) < known.distance)) return;
-    if (same && (weights_in(triangles_of[triangle], at).minCoeff() < 0 || is_next_to(rest, node, rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))], thickness_))) return;
+    if (same && (weights_in(triangles_of[triangle], at).minCoeff() < 0 ||
+                 is_next_to(rest, node, rest.faces[static_cast<std::size_t>(triangles_of.face(triangle))], thickness_)))
+        return;
     const Vec3 place = sim::geometry::closest_point(at, triangles_of[triangle]);
     const double distance = (place - at).norm(), nearer = known.distance - distance, equal = rounding * distance;
-    if (nearer > equal || (nearer >= -equal && std::abs(depth) > std::abs(known.depth))) known = {triangle, distance, depth, place};
+    if (nearer > equal || (nearer >= -equal && std::abs(depth) > std::abs(known.depth)))
+        known = {triangle, distance, depth, place};
 }
 
 void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& triangles_of, bool same) {
     for (int t = 0; t < triangles_of.size(); ++t) {
         const auto& corners = rest.faces[static_cast<std::size_t>(triangles_of.face(t))].nodes;
-        const bool all = !same || std::any_of(corners.begin(), corners.end(), [&](int i) { return is_bent_[static_cast<std::size_t>(i)]; });
+        const bool all = !same || std::any_of(corners.begin(), corners.end(),
+                                              [&](int i) { return is_bent_[static_cast<std::size_t>(i)]; });
         const Box around = triangles_of.box(t).grown(0.5 * thickness_);
         if (!around.overlaps(all ? about_ : about_bent_)) continue;
         const Vec3 up = triangles_of.normal(t);
@@ -95,7 +101,9 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
                 const auto in_column = static_cast<std::size_t>(column(x, y));
                 for (int k = first_[in_column]; k < first_[in_column + 1]; ++k) {
                     const auto [in_cell, node] = sorted_[static_cast<std::size_t>(k)];
-                    if (in_cell < number(x, y, low[2]) || in_cell > number(x, y, high[2]) || !(all || is_bent_[static_cast<std::size_t>(node)])) continue;
+                    if (in_cell < number(x, y, low[2]) || in_cell > number(x, y, high[2]) ||
+                        !(all || is_bent_[static_cast<std::size_t>(node)]))
+                        continue;
                     look_at(rest, nodes_of, node, triangles_of, t, up, same);
                 }
             }
@@ -106,25 +114,30 @@ void WallContact::find(const Mesh& rest, const Skin& nodes_of, const Skin& trian
 void WallContact::find_normals(const Mesh& rest, const Skin& skin) {
     for (auto& of_side : normals_) of_side.assign(rest.nodes.size(), Vec3::Zero());
     for (const Face& face : rest.faces) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return skin.nodes()[static_cast<std::size_t>(face.nodes[k])]; };
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return skin.nodes()[static_cast<std::size_t>(face.nodes[k])];
+        };
         const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0));
-        for (const int node : face.nodes) normals_[static_cast<std::size_t>(face.side)][static_cast<std::size_t>(node)] += normal;
+        for (const int node : face.nodes)
+            normals_[static_cast<std::size_t>(face.side)][static_cast<std::size_t>(node)] += normal;
     }
 }
 
-// Turns steadily from triangle to triangle. By each one's own a node in the crease of two was thrown from one to the other: ends that a stitch drew
-// together with 50 mN trembled by 25 mm/s for ever.
+// Turns steadily from triangle to triangle. By each one's own a node in the crease of two was thrown from one to the
+// other: ends that a stitch drew together with 50 mN trembled by 25 mm/s for ever.
 Vec3 WallContact::steady_normal(const Mesh& rest, const Skin& skin, int triangle, const Vec3& place) const {
     const Face& face = rest.faces[static_cast<std::size_t>(skin.face(triangle))];
     const Vec3 weights = skin.weights_in_face(skin.face(triangle), place).cwiseMax(0).cwiseMin(1);
     const auto& normals = normals_[static_cast<std::size_t>(face.side)];
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k) sum += weights[static_cast<Eigen::Index>(k)] * normals[static_cast<std::size_t>(face.nodes[k])].stableNormalized();
+    for (std::size_t k = 0; k < 3; ++k)
+        sum +=
+            weights[static_cast<Eigen::Index>(k)] * normals[static_cast<std::size_t>(face.nodes[k])].stableNormalized();
     return sum.stableNormalized();
 }
 
-void WallContact::push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes, const Mesh& rest_of_triangles, const Skin& triangles_of,
-                       std::vector<PointForce>& on_triangles) {
+void WallContact::push(const Mesh& rest, const Skin& nodes_of, std::vector<PointForce>& on_nodes,
+                       const Mesh& rest_of_triangles, const Skin& triangles_of, std::vector<PointForce>& on_triangles) {
     const auto touches = [](const Nearest& nearest) { return nearest.triangle >= 0 && nearest.depth > 0; };
     if (std::any_of(nearest_.begin(), nearest_.end(), touches)) find_normals(rest_of_triangles, triangles_of);
     for (std::size_t i = 0; i < nearest_.size(); ++i) {
@@ -133,13 +146,16 @@ void WallContact::push(const Mesh& rest, const Skin& nodes_of, std::vector<Point
         ++contacts_;
         const auto& nodes = rest.faces[static_cast<std::size_t>(face_[i])].nodes;
         const auto corner = std::find(nodes.begin(), nodes.end(), static_cast<int>(i)) - nodes.begin();
-        const Vec3 up = steady_normal(rest_of_triangles, triangles_of, triangle, place), force = def_.stiffness * distance * up;
+        const Vec3 up = steady_normal(rest_of_triangles, triangles_of, triangle, place),
+                   force = def_.stiffness * distance * up;
         on_nodes.push_back({nodes_of.point_of_face(face_[i], Vec3::Unit(corner)), force, 2 * def_.stiffness, up});
-        on_triangles.push_back({triangles_of.point(triangle, weights_in(triangles_of[triangle], place)), -force, 2 * def_.stiffness, up});
+        on_triangles.push_back(
+            {triangles_of.point(triangle, weights_in(triangles_of[triangle], place)), -force, 2 * def_.stiffness, up});
     }
 }
 
-void WallContact::press(const Mesh& rest_a, const Skin& a, std::vector<PointForce>& on_a, const Mesh& rest_b, const Skin& b, std::vector<PointForce>& on_b) {
+void WallContact::press(const Mesh& rest_a, const Skin& a, std::vector<PointForce>& on_a, const Mesh& rest_b,
+                        const Skin& b, std::vector<PointForce>& on_b) {
     contacts_ = 0;
     const Box box_a = box_of(a).grown(0.5 * thickness_), box_b = box_of(b).grown(0.5 * thickness_);
     if (!box_a.overlaps(box_b)) return;
@@ -150,11 +166,13 @@ void WallContact::press(const Mesh& rest_a, const Skin& a, std::vector<PointForc
 }
 
 // What touches was further apart at rest than the wall is thick: one of the two has gone.
-void WallContact::press(const Mesh& rest, const Skin& skin, std::vector<PointForce>& forces, const Eigen::Isometry3d& carried) {
+void WallContact::press(const Mesh& rest, const Skin& skin, std::vector<PointForce>& forces,
+                        const Eigen::Isometry3d& carried) {
     contacts_ = 0;
     const double gone = 0.25 * thickness_;
     is_bent_.resize(rest.nodes.size());
-    for (std::size_t i = 0; i < is_bent_.size(); ++i) is_bent_[i] = (skin.nodes()[i] - carried * rest.nodes[i]).squaredNorm() > gone * gone;
+    for (std::size_t i = 0; i < is_bent_.size(); ++i)
+        is_bent_[i] = (skin.nodes()[i] - carried * rest.nodes[i]).squaredNorm() > gone * gone;
     if (std::none_of(is_bent_.begin(), is_bent_.end(), [](bool bent) { return bent; })) return;
     sort_nodes(rest, skin, box_of(skin)), find(rest, skin, skin, true), push(rest, skin, forces, rest, skin, forces);
 }

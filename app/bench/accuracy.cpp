@@ -34,14 +34,24 @@ void add_case(Suite& suite, const RodCase& c, const std::vector<int>& resolution
     double coarser = 0, order = 0;
     for (const int links : resolutions) {
         const double begin = processor_time(), error = 100 * c.at(links).error(), seconds = processor_time() - begin;
-        Row row{.id = c.id + "-n" + std::to_string(links), .what = c.what + ", " + std::to_string(links) + " links: error", .value = std::abs(error),
-                .unit = "%", .bound = {}, .error = {}, .seconds = seconds};
+        Row row{.id = c.id + "-n" + std::to_string(links),
+                .what = c.what + ", " + std::to_string(links) + " links: error",
+                .value = std::abs(error),
+                .unit = "%",
+                .bound = {},
+                .error = {},
+                .seconds = seconds};
         if (links >= c.bound_links) row.bound = 100 * c.bound;
         suite.rows.push_back(row);
         order = std::log2(coarser / std::abs(error));
         coarser = std::abs(error);
     }
-    suite.rows.push_back({.id = c.id + "-order", .what = c.what + ": order of the last halving of links", .value = order, .unit = "order", .bound = {}, .error = {}});
+    suite.rows.push_back({.id = c.id + "-order",
+                          .what = c.what + ": order of the last halving of links",
+                          .value = order,
+                          .unit = "order",
+                          .bound = {},
+                          .error = {}});
 }
 
 // A rod bent and twisted in space between two clamps.
@@ -58,9 +68,11 @@ std::vector<Vec3> shape(double scale, bool mirrored) {
     constexpr int steps = 20;
     for (int s = 1; s <= steps; ++s) {
         const double u = static_cast<double>(s) / steps;
-        const Vec3 last = nodes.back() + u * (end - nodes.back()), before = last - scale / 60 * ((1 - u) * Vec3(1, 0, 0) + u * along / along.norm()).normalized();
+        const Vec3 last = nodes.back() + u * (end - nodes.back()),
+                   before = last - scale / 60 * ((1 - u) * Vec3(1, 0, 0) + u * along / along.norm()).normalized();
         const sim::thread::Hold holds[] = {{0, first}, {1, second}, {links - 1, before}, {links, last}};
-        for (int i = 0; i < 10 && !rod.step({.holds = holds, .turn = u * turn * z}, 0).settled; ++i) {}
+        for (int i = 0; i < 10 && !rod.step({.holds = holds, .turn = u * turn * z}, 0).settled; ++i) {
+        }
     }
     std::vector<Vec3> found;
     for (const Vec3& p : rod.nodes()) found.push_back(Vec3(p.x(), p.y(), z * p.z()) / scale);
@@ -99,16 +111,34 @@ void add_capstan_ratio(Suite& suite, const Drawn& drawn, double half_turns, doub
     const Compared found = drawn.ratio(friction, phi, theta, tick);
     const std::string wrap = whole(2 * half_turns), mu = whole(10 * friction), ms = whole(1000 * tick);
     suite.rows.push_back({.id = drawn.id + ("-" + wrap) + "-mu" + mu + "-turn" + std::to_string(turn) + "-tick" + ms,
-        .what = drawn.what + (", " + wrap) + " quarter turns, friction 0." + mu + ", links of " + std::to_string(turn) + " degrees, ticks of " + ms + " ms: error of the ratio",
-        .value = 100 * std::abs(found.error()), .unit = "%", .bound = 5, .error = {}, .seconds = processor_time() - begin});
-    if (drawn.has_corners) suite.rows.back().error = 100 * std::abs(found.found / capstan_of_nodes(friction, phi, theta) - 1);
+                          .what = drawn.what + (", " + wrap) + " quarter turns, friction 0." + mu + ", links of " +
+                                  std::to_string(turn) + " degrees, ticks of " + ms + " ms: error of the ratio",
+                          .value = 100 * std::abs(found.error()),
+                          .unit = "%",
+                          .bound = 5,
+                          .error = {},
+                          .seconds = processor_time() - begin});
+    if (drawn.has_corners)
+        suite.rows.back().error = 100 * std::abs(found.found / capstan_of_nodes(friction, phi, theta) - 1);
 }
 
 void add_capstan_holds(Suite& suite, const Drawn& drawn, double friction) {
-    const std::string mu = whole(10 * friction), id = drawn.id, what = drawn.what + (", one half turn, friction 0." + mu) + ": moved in a second at ";
+    const std::string mu = whole(10 * friction), id = drawn.id,
+                      what = drawn.what + (", one half turn, friction 0." + mu) + ": moved in a second at ";
     const auto moved = [&](double share) { return drawn.slides(friction, half_turn, 10 * degree, share); };
-    suite.rows.push_back({.id = id + "-holds-mu" + mu, .what = what + "95 % of what slides", .value = moved(0.95), .unit = "D", .bound = drawn.most_creep, .error = {}});
-    suite.rows.push_back({.id = id + "-slides-mu" + mu, .what = what + "105 %", .value = moved(1.05), .unit = "D", .bound = 1, .must = Must::be_at_least, .error = {}});
+    suite.rows.push_back({.id = id + "-holds-mu" + mu,
+                          .what = what + "95 % of what slides",
+                          .value = moved(0.95),
+                          .unit = "D",
+                          .bound = drawn.most_creep,
+                          .error = {}});
+    suite.rows.push_back({.id = id + "-slides-mu" + mu,
+                          .what = what + "105 %",
+                          .value = moved(1.05),
+                          .unit = "D",
+                          .bound = 1,
+                          .must = Must::be_at_least,
+                          .error = {}});
 }
 
 // Sliding in two ticks and two links, held below what slides and let go above it.
@@ -116,7 +146,8 @@ void add_capstan(Suite& suite, const Drawn& drawn, bool quick) {
     for (const double half_turns : quick ? std::vector{1.0} : std::vector{0.5, 2.0, 4.0})
         for (const double friction : {0.1, 0.2, 0.3})
             for (const int turn : {10, 20})
-                for (const double tick : {1e-3, 4e-3}) add_capstan_ratio(suite, drawn, half_turns, friction, turn, tick);
+                for (const double tick : {1e-3, 4e-3})
+                    add_capstan_ratio(suite, drawn, half_turns, friction, turn, tick);
     for (const double friction : {0.1, 0.3}) add_capstan_holds(suite, drawn, friction);
 }
 
@@ -137,11 +168,14 @@ void add_speed(Suite& suite, double speed) {
         const double begin = processor_time();
         steps.push_back(rod.step({holds}, tick).iterations);
         us.push_back(1e6 * (processor_time() - begin));
-        for (int k = 0; k < links; ++k) strain = std::max(strain, std::abs(rod.tension(k)) / rod.def().axial_stiffness(link));
+        for (int k = 0; k < links; ++k)
+            strain = std::max(strain, std::abs(rod.tension(k)) / rod.def().axial_stiffness(link));
     }
-    const std::string mm = std::to_string(std::lround(1000 * speed)), id = "rod-200-at-" + mm, what = "200 links of 6-0, one end led at " + mm + " mm/s: ";
+    const std::string mm = std::to_string(std::lround(1000 * speed)), id = "rod-200-at-" + mm,
+                      what = "200 links of 6-0, one end led at " + mm + " mm/s: ";
     const auto add = [&](const char* name, const char* of, double value, const char* unit) {
-        suite.rows.push_back({.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = {}, .error = {}});
+        suite.rows.push_back(
+            {.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = {}, .error = {}});
     };
     add("-p50", "median of a tick", percentile(us, 0.5), "us");
     add("-p99", "99 of 100 ticks", percentile(us, 0.99), "us");
@@ -150,16 +184,25 @@ void add_speed(Suite& suite, double speed) {
     add("-strain", "largest strain", strain, "ratio");
 }
 
-// What a pull by the elastic thread came to. Without friction nothing keeps strands where they press: what bounds ask for is asked of sutures.
+// What a pull by the elastic thread came to. Without friction nothing keeps strands where they press: what bounds ask
+// for is asked of sutures.
 void add_pull(Suite& suite, const char* knot, const PullDef& def, const std::vector<Vec3>& start) {
     ThreadRope rope(def, start);
     const PullFigures found = pull(rope, def, start);
     const bool many = def.links > 200;
     const std::string mu = whole(10 * def.friction), links = std::to_string(def.links);
-    const std::string id = std::string("elastic-pull-") + (knot == std::string("overhand") ? "" : knot + std::string("-")) + links + "-mu" + mu;
+    const std::string id = std::string("elastic-pull-") +
+                           (knot == std::string("overhand") ? "" : knot + std::string("-")) + links + "-mu" + mu;
     const std::string what = std::string("elastic, ") + knot + " pull, " + links + " links, friction 0." + mu + ": ";
-    const auto add = [&](const char* name, const char* of, double value, const char* unit, std::optional<double> bound = {}, Must must = Must::be_at_most) {
-        suite.rows.push_back({.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = bound, .must = must, .error = {}});
+    const auto add = [&](const char* name, const char* of, double value, const char* unit,
+                         std::optional<double> bound = {}, Must must = Must::be_at_most) {
+        suite.rows.push_back({.id = id + name,
+                              .what = what + of,
+                              .value = value,
+                              .unit = unit,
+                              .bound = bound,
+                              .must = must,
+                              .error = {}});
     };
     std::optional<double> most_p50, most_p99, least_gap;
     if (def.friction > 0) most_p50 = many ? 1500 : 650, least_gap = 0.99;
@@ -195,7 +238,9 @@ Suite accuracy_suite(bool quick, const Progress& progress) {
         if (progress) progress(c.what);
         add_case(suite, c, resolutions);
     }
-    for (const Drawn& drawn : {Drawn{"capstan", "capstan", rod_capstan, rod_slides, 1e-4, true}, Drawn{"elastic-capstan", "elastic thread, capstan", elastic_capstan, elastic_slides, 0.1, false}}) {
+    for (const Drawn& drawn :
+         {Drawn{"capstan", "capstan", rod_capstan, rod_slides, 1e-4, true},
+          Drawn{"elastic-capstan", "elastic thread, capstan", elastic_capstan, elastic_slides, 0.1, false}}) {
         if (progress) progress(drawn.what);
         add_capstan(suite, drawn, quick);
     }

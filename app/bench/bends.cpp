@@ -21,7 +21,8 @@ static std::vector<Vec3> corners(const Bend& bend) {
     constexpr double tail = 30, hand = 12, slack = 20, foot = -3, throw_height = 3;
     std::vector<sim::knot::Throw> throws;
     for (int i = 0; i < bend.throws; ++i) throws.push_back({1, !bend.mirrored || i % 2 == 0});
-    std::vector<Vec3> path = tied(throws, {}, {tail, 0, tail / 2}), second(path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2), path.end());
+    std::vector<Vec3> path = tied(throws, {}, {tail, 0, tail / 2}),
+                      second(path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2), path.end());
     path.resize(path.size() / 2);
     double stands = foot;
     if (bend.opposite) {
@@ -30,7 +31,9 @@ static std::vector<Vec3> corners(const Bend& bend) {
         second.front() = {4, 0, stands};
         second.push_back(second.back() + Vec3(tail, 0, -tail / 2));
     }
-    for (const Vec3& p : {Vec3(-hand, 0, foot), Vec3(-hand, slack, foot), Vec3(hand, slack, stands), Vec3(hand, 0, stands)}) path.push_back(p);
+    for (const Vec3& p :
+         {Vec3(-hand, 0, foot), Vec3(-hand, slack, foot), Vec3(hand, slack, stands), Vec3(hand, 0, stands)})
+        path.push_back(p);
     path.insert(path.end(), second.begin(), second.end());
     return path;
 }
@@ -60,10 +63,15 @@ namespace {
 
 struct Pulling {
     Pulling(const Bend& bend, const BendPull& pull)
-        : rod{.bending_share = pull.bending_share, .axial_over_bending = 0, .yield_strain = pull.yield_strain}, start(bend, pull.link * diameter, 0.5 * diameter),
-          last(static_cast<int>(start.nodes.size()) - 1), thread(thread_def(pull, rod), start.nodes), loads(start.nodes.size(), Vec3::Zero()), seconds(pull.tick) {
+        : rod{.bending_share = pull.bending_share, .axial_over_bending = 0, .yield_strain = pull.yield_strain},
+          start(bend, pull.link * diameter, 0.5 * diameter),
+          last(static_cast<int>(start.nodes.size()) - 1),
+          thread(thread_def(pull, rod), start.nodes),
+          loads(start.nodes.size(), Vec3::Zero()),
+          seconds(pull.tick) {
         cost.links = last;
-        out = {(start.nodes[0] - start.nodes[1]).normalized(), (start.nodes[at(last)] - start.nodes[at(last - 1)]).normalized()};
+        out = {(start.nodes[0] - start.nodes[1]).normalized(),
+               (start.nodes[at(last)] - start.nodes[at(last - 1)]).normalized()};
     }
 
     static sim::thread::ThreadDef thread_def(const BendPull& pull, const RodDef& rod) {
@@ -78,17 +86,23 @@ struct Pulling {
     double standing() const { return 0.5 * (pulled(start.left - 1) + pulled(start.right)); }
     double tail(int which) const { return thread.nodes()[which == 0 ? 0 : at(last)].dot(out[at(which)]) / diameter; }
 
-    // Hands at the last two nodes go towards the pull that is asked of them, by what ten diameters of thread would give and a tenth at most in a millisecond.
+    // Hands at the last two nodes go towards the pull that is asked of them, by what ten diameters of thread would give
+    // and a tenth at most in a millisecond.
     void tick(double standing_pull, double tail_pull) {
         loads.front() = tail_pull * unit() * out[0], loads.back() = tail_pull * unit() * out[1];
         const double most = 100 * seconds * diameter, give = 10 * diameter * unit() / rod.axial_stiffness(diameter);
-        const auto way = [&](int link) { return std::clamp(give * (standing_pull - pulled(link)), -most, most) * Vec3::UnitX(); };
+        const auto way = [&](int link) {
+            return std::clamp(give * (standing_pull - pulled(link)), -most, most) * Vec3::UnitX();
+        };
         const Vec3 l = -way(start.left - 1), r = way(start.right);
         const auto x = thread.nodes();
         const auto by = [&](int node, const Vec3& go) { return Hold{node, x[at(node)] + go}; };
         const Hold holds[] = {by(start.left, l), by(start.left + 1, l), by(start.right, r), by(start.right - 1, r)};
         constexpr int owners[] = {0, 0, 1, 1};
-        const auto go = [&] { return thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = seconds, .loads = loads}); };
+        const auto go = [&] {
+            return thread.tick(
+                {.holds = holds, .hold_owners = owners, .capsules = {}, .seconds = seconds, .loads = loads});
+        };
         pass_throughs += cost.of(go).pass_throughs;
     }
 
@@ -115,7 +129,9 @@ struct Pulling {
     double run_in() const { return std::max(tight[0] - tail(0), tight[1] - tail(1)); }
     bool slipped() const { return run_in() > 20; }
 
-    double apart() const { return (thread.nodes()[at(start.right)] - thread.nodes()[at(start.left)]).norm() / diameter; }
+    double apart() const {
+        return (thread.nodes()[at(start.right)] - thread.nodes()[at(start.left)]).norm() / diameter;
+    }
 
     static constexpr double diameter = 2 * sim::thread::ThreadDef{}.radius;
     RodDef rod;
@@ -123,10 +139,10 @@ struct Pulling {
     int last;
     Thread thread;
     std::vector<Vec3> loads;
-    std::array<Vec3, 2> out;        // where tails are pulled
+    std::array<Vec3, 2> out;  // where tails are pulled
     std::array<double, 2> tight{};
     int pass_throughs = 0;
-    double seconds;                 // in a tick
+    double seconds;  // in a tick
     Cost cost;
 };
 

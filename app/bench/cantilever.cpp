@@ -15,8 +15,12 @@ using sim::thread::Vec3;
 // Straight along x, clamped in the middle of its first link, or of both end links: `clamps` of them.
 struct Clamped {
     Clamped(const Setting& setting, int clamps)
-        : tick(setting.tick), last(static_cast<int>(setting.link)), link(length / (last - 0.5 * clamps)), nodes(straight(last, link)),
-          loads(nodes.size(), Vec3::Zero()), thread(def_of(setting), nodes) {}
+        : tick(setting.tick),
+          last(static_cast<int>(setting.link)),
+          link(length / (last - 0.5 * clamps)),
+          nodes(straight(last, link)),
+          loads(nodes.size(), Vec3::Zero()),
+          thread(def_of(setting), nodes) {}
 
     static sim::thread::RodDef material() { return {.axial_over_bending = 0}; }
     static double unit() { return material().bending_stiffness() / (length * length); }  // B / L^2 [N]
@@ -50,7 +54,8 @@ Compared cantilever(const Setting& setting, Cost& cost) {
     const Hold clamp[] = {{0, c.nodes[0]}, {1, c.nodes[1]}};
     constexpr int owners[] = {0, 0};
     c.loads.back().z() = -load * c.unit();
-    for (int i = ticks_in(seconds, c.tick); i > 0; --i) cost.of([&] { return c.thread.tick({clamp, owners, {}, nullptr, c.tick, c.loads}); });
+    for (int i = ticks_in(seconds, c.tick); i > 0; --i)
+        cost.of([&] { return c.thread.tick({clamp, owners, {}, nullptr, c.tick, c.loads}); });
     return {-c.thread.nodes().back().z() / c.length, elastica};
 }
 
@@ -64,7 +69,10 @@ Compared let_in(const Setting& setting, Cost& cost) {
     constexpr int owners[] = {0, 0, 1, 1};
     for (int i = 1; i <= ticks; ++i) {
         const Vec3 in = std::min(1.0, 2.0 * i / ticks) * slack * c.length * Vec3::UnitX();
-        const Hold clamps[] = {{0, c.nodes[0]}, {1, c.nodes[1]}, {c.last - 1, c.nodes[c.nodes.size() - 2] - in}, {c.last, c.nodes.back() - in}};
+        const Hold clamps[] = {{0, c.nodes[0]},
+                               {1, c.nodes[1]},
+                               {c.last - 1, c.nodes[c.nodes.size() - 2] - in},
+                               {c.last, c.nodes.back() - in}};
         if (2 * i > ticks) c.loads.assign(c.nodes.size(), Vec3::Zero());
         cost.of([&] { return c.thread.tick({clamps, owners, {}, nullptr, c.tick, c.loads}); });
     }

@@ -33,7 +33,8 @@ std::vector<Vec3> pulled(Pull how, std::uint64_t seed) {
     const double step = default_tick * 0.01 * std::pow(20, random.between(0, 1));  // 10 to 200 mm/s
     Loop loop({.friction = friction}, loose_thread(looped(knot, loop_depth), 60, link, 0.5 * link).nodes);
     if (how == Pull::tails) {
-        pull_tight([&] { loop.pull_tails(step); }, [&] { return (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm(); });
+        pull_tight([&] { loop.pull_tails(step); },
+                   [&] { return (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm(); });
     } else {
         const bool right = random.below(2);
         const double out = right ? 1 : -1;

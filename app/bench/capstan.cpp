@@ -18,29 +18,33 @@ using sim::thread::Thread;
 using sim::thread::ThreadDef;
 using sim::thread::Vec3;
 
-constexpr double to_axis = 5 * default_diameter;  // from the cylinder's axis to the thread's centre line [m]
+constexpr double to_axis = 5 * default_diameter;     // from the cylinder's axis to the thread's centre line [m]
 constexpr double turn_pitch = 3 * default_diameter;  // of a turn: turns beside each other never touch [m]
-constexpr double tip_speed = 0.01;  // [m/s]: median to fast tool tips
+constexpr double tip_speed = 0.01;                   // [m/s]: median to fast tool tips
 constexpr double pulled_way = 8 * default_diameter;  // pulled at least; the tension is read over the second half [m]
-constexpr int least_ticks = 128;  // 64 readings: they jump while a link is drawn on, and the median of eight is off by 0.05
+constexpr int least_ticks =
+    128;  // 64 readings: they jump while a link is drawn on, and the median of eight is off by 0.05
 
-// On the cylinder from -wrap/2 to wrap/2 about y, straight on either side of it. Nodes lie just so far out that the middle
-// of each link touches.
+// On the cylinder from -wrap/2 to wrap/2 about y, straight on either side of it. Nodes lie just so far out that the
+// middle of each link touches.
 struct Laid {
     std::vector<Vec3> nodes;
     Vec3 away;  ///< Where the last node is pulled to.
 };
 
 Laid lay(const CapstanCase& c) {
-    const double link = c.link * default_diameter, per_angle = std::sqrt(to_axis * to_axis + std::pow(turn_pitch / (2 * std::numbers::pi),
-        2));
+    const double link = c.link * default_diameter,
+                 per_angle = std::sqrt(to_axis * to_axis + std::pow(turn_pitch / (2 * std::numbers::pi), 2));
     const double step = link / per_angle, out = to_axis / std::cos(step / 2);
-    const auto on = [&](double a) { return Vec3(out * std::sin(a), turn_pitch * a / (2 * std::numbers::pi), out * std::cos(a)); };
+    const auto on = [&](double a) {
+        return Vec3(out * std::sin(a), turn_pitch * a / (2 * std::numbers::pi), out * std::cos(a));
+    };
     const int arc = static_cast<int>(std::lround(c.wrap / step)), tail = 3 * arc + static_cast<int>(120 / c.link),
-        lead = static_cast<int>(20 / c.link);
+              lead = static_cast<int>(20 / c.link);
     std::vector<Vec3> nodes;
     for (int i = 0; i <= arc; ++i) nodes.push_back(on((i - 0.5 * arc) * step));
-    // Straight on as the first and last link go, turned by half a link's angle: the last touch is in the middle of a link.
+    // Straight on as the first and last link go, turned by half a link's angle: the last touch is in the middle of a
+    // link.
     const Vec3 from = on((-0.5 * arc - 1) * step) - nodes.front(), to = on((0.5 * arc + 1) * step) - nodes.back();
     Laid laid{{}, to.normalized()};
     for (int i = tail; i >= 1; --i) laid.nodes.push_back(nodes.front() + i * from);
@@ -54,8 +58,8 @@ double turn_at(std::span<const Vec3> p, std::size_t i) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-// What the pulling side would carry for this friction, from the tension `t` before the nodes [first, last] and the drag of
-// every link.
+// What the pulling side would carry for this friction, from the tension `t` before the nodes [first, last] and the drag
+// of every link.
 double pulled_with(double friction, std::span<const double> turns, double t, double drag) {
     for (const double turn : turns) t = t * ratio_over_node(friction, turn) + drag;
     return t;
@@ -84,8 +88,8 @@ double exponent(double friction, std::span<const double> turns) {
     return sum;
 }
 
-// The friction with which the law gives the tensions read on either side, by bisection; the drag of a link is the slope of
-// the tail's tension.
+// The friction with which the law gives the tensions read on either side, by bisection; the drag of a link is the slope
+// of the tail's tension.
 std::optional<double> ratio_read(const Thread& thread, const CapstanCase& c) {
     const Wrap wrap = wrap_of(thread.nodes(), c.link * default_diameter / to_axis);
     if (wrap.first < 2) return {};
@@ -120,7 +124,8 @@ Capstan capstan(const CapstanCase& c) {
     const Vec3 half(0, 100 * default_diameter, 0);
     const sim::geometry::Capsule cylinder{-half, half, to_axis - 0.5 * default_diameter};
     const sim::thread::MovingCapsule capsules[] = {{cylinder, cylinder, 0}};
-    const int owners[] = {-1}, ticks = std::max(least_ticks, static_cast<int>(std::lround(pulled_way / (tip_speed * c.tick))));
+    const int owners[] = {-1},
+              ticks = std::max(least_ticks, static_cast<int>(std::lround(pulled_way / (tip_speed * c.tick))));
     std::vector<double> ratios;
     Capstan result;
     result.cost.links = last;

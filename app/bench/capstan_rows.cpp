@@ -45,18 +45,25 @@ OverRates over_rates(double wrap, double friction, double link) {
 std::vector<Row> capstan_rows(bool quick) {
     std::vector<Row> rows;
     for (const double link : {1.0, 0.5}) {
-        Row spread{.id = "capstan-spread-link" + tenths(link),
+        Row spread{
+            .id = "capstan-spread-link" + tenths(link),
             .what = "capstan exponent at 250, 1000 and 4000 Hz: largest difference, links of " + tenths(link) + "/10 D",
-                   .unit = "share", .bound = 0.05, .error = {}};
+            .unit = "share",
+            .bound = 0.05,
+            .error = {}};
         for (const Angle& angle : angles)
             for (const double friction : quick ? std::vector{0.2} : std::vector{0.1, 0.2, 0.3}) {
                 const Stopwatch watch;
                 const OverRates found = over_rates(angle.radians, friction, link);
-                rows.push_back({.id = std::string("capstan-") + angle.id + "-mu" + tenths(friction) + "-link" + tenths(link),
-                                .what = std::string("capstan, ") + angle.words + ", friction 0." + tenths(friction)
-                                    + ", links of " + tenths(link) + "/10 D: exponent against the discrete law",
-                                .value = found.deviation, .unit = "share", .bound = 0.15, .error = found.spread,
-                                    .seconds = watch.seconds()});
+                rows.push_back(
+                    {.id = std::string("capstan-") + angle.id + "-mu" + tenths(friction) + "-link" + tenths(link),
+                     .what = std::string("capstan, ") + angle.words + ", friction 0." + tenths(friction) +
+                             ", links of " + tenths(link) + "/10 D: exponent against the discrete law",
+                     .value = found.deviation,
+                     .unit = "share",
+                     .bound = 0.15,
+                     .error = found.spread,
+                     .seconds = watch.seconds()});
                 spread.value = std::max(spread.value, found.spread);
                 spread.seconds += rows.back().seconds;
             }

@@ -22,7 +22,8 @@ using sim::thread::ThreadDef;
 using std::numbers::pi;
 
 constexpr double arm = 15, tips_apart = 3;  // [D] of a bight from tip to end, and of the tips at first
-constexpr double pull_strain = 0.01;  // then bent about a strand it pulls back with less than a hundredth of what pulls it
+constexpr double pull_strain =
+    0.01;  // then bent about a strand it pulls back with less than a hundredth of what pulls it
 
 // A bight as wide as it is when tight, its tip at 0, its arms along z to `arm`.
 std::vector<Vec3> bight() {
@@ -52,8 +53,8 @@ struct Hooked {
         ends.push_back(static_cast<int>(nodes.size()) - 1);
     }
 
-    double link;                 // [D]
-    std::vector<Vec3> nodes;     // [m]
+    double link;              // [D]
+    std::vector<Vec3> nodes;  // [m]
     std::vector<int> ends{0};
 };
 
@@ -78,7 +79,9 @@ class Drawing {
   private:
     explicit Drawing(const Hooked& hooked) : thread_(limp(), hooked.nodes), ends_(hooked.ends) {}
 
-    static ThreadDef limp() { return {.friction = 0, .elastic = sim::thread::RodDef{.bending_share = 1e-3, .axial_over_bending = 0}}; }
+    static ThreadDef limp() {
+        return {.friction = 0, .elastic = sim::thread::RodDef{.bending_share = 1e-3, .axial_over_bending = 0}};
+    }
     const Vec3& node(int i) const { return thread_.nodes()[static_cast<std::size_t>(i)]; }
     const Vec3& end(std::size_t k) const { return node(ends_[k]); }
 
@@ -91,7 +94,10 @@ class Drawing {
 
     // Strain of the first link of either bight, the smaller of both.
     double pull() const {
-        const auto strain = [&](std::size_t k) { return (node(ends_[k] + 1) - end(k)).norm() / thread_.rest_lengths()[static_cast<std::size_t>(ends_[k])] - 1; };
+        const auto strain = [&](std::size_t k) {
+            return (node(ends_[k] + 1) - end(k)).norm() / thread_.rest_lengths()[static_cast<std::size_t>(ends_[k])] -
+                   1;
+        };
         return std::min(strain(0), strain(2));
     }
 
@@ -115,7 +121,9 @@ class Drawing {
 
 }  // namespace
 
-Clasp clasp(double link_in_diameters) { return Drawing(link_in_diameters).draw(); }
+Clasp clasp(double link_in_diameters) {
+    return Drawing(link_in_diameters).draw();
+}
 
 std::vector<Row> clasp_rows(bool quick) {
     constexpr double critical = 4.263, most_off = 3;  // [D], [%]
@@ -123,16 +131,20 @@ std::vector<Row> clasp_rows(bool quick) {
     for (const int pieces : quick ? std::vector{1, 2} : std::vector{1, 2, 4, 8}) {
         const Stopwatch watch;
         const Clasp found = clasp(1.0 / pieces);
-        const std::string id = "elastic-clasp-link" + std::to_string(pieces), what = "elastic thread, tight clasp, links of D/" + std::to_string(pieces) + ": ";
-        const auto add = [&](const char* name, const char* of, double value, const char* unit, std::optional<double> bound = {}) {
-            rows.push_back({.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = bound, .error = {}});
+        const std::string id = "elastic-clasp-link" + std::to_string(pieces),
+                          what = "elastic thread, tight clasp, links of D/" + std::to_string(pieces) + ": ";
+        const auto add = [&](const char* name, const char* of, double value, const char* unit,
+                             std::optional<double> bound = {}) {
+            rows.push_back(
+                {.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = bound, .error = {}});
         };
         const auto off = [](double excess) { return 100 * std::abs(excess / critical - 1); };
         add("", "excess length", found.excess, "D");
         rows.back().seconds = watch.seconds();
         add("-off", "excess length, off the critical clasp's", off(found.excess), "%", most_off);
         add("-gap", "how far apart its strands' centre lines are", found.gap, "D");
-        add("-by-gap-off", "excess length over that, off the critical clasp's", off(found.excess / found.gap), "%", most_off);
+        add("-by-gap-off", "excess length over that, off the critical clasp's", off(found.excess / found.gap), "%",
+            most_off);
         add("-tips-by-gap", "how far apart its tips are, over that", found.tips / found.gap, "ratio");
         add("-passes", "pass-throughs", found.pass_throughs, "count", 0);
     }

@@ -15,7 +15,8 @@ double most(const Trace& trace, const Condition& condition, Figure figure) {
     double value = 0;
     for (std::size_t i = 0; i < trace.frames.size(); ++i) {
         const double t = static_cast<double>(i + 1) * trace.tick;
-        if (t >= condition.from && t <= condition.to) value = std::max(value, static_cast<double>(figure(trace.frames[i])));
+        if (t >= condition.from && t <= condition.to)
+            value = std::max(value, static_cast<double>(figure(trace.frames[i])));
     }
     return value;
 }
@@ -27,7 +28,9 @@ double sum(const Trace& trace, Figure figure) {
     return value;
 }
 
-double is_broken(const Vec3& p) { return p.allFinite() ? 0 : 1; }
+double is_broken(const Vec3& p) {
+    return p.allFinite() ? 0 : 1;
+}
 
 double broken_nodes(const Frame& frame) {
     double count = 0;
@@ -41,7 +44,8 @@ double most_between(const Trace& trace, const Condition& condition, Figure figur
     double value = 0;
     for (std::size_t i = 1; i < trace.frames.size(); ++i) {
         const double t = static_cast<double>(i + 1) * trace.tick;
-        if (t > condition.from && t <= condition.to) value = std::max(value, figure(trace.frames[i - 1].nodes, trace.frames[i].nodes));
+        if (t > condition.from && t <= condition.to)
+            value = std::max(value, figure(trace.frames[i - 1].nodes, trace.frames[i].nodes));
     }
     return value;
 }
@@ -57,7 +61,8 @@ double rms_move(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 double largest_move(const std::vector<Vec3>& a, const std::vector<Vec3>& b, int node) {
     if (node >= 0) return (b[static_cast<std::size_t>(node)] - a[static_cast<std::size_t>(node)]).norm();
     double largest = 0;
-    for (std::size_t i = 0; i < a.size() && a.size() == b.size(); ++i) largest = std::max(largest, (b[i] - a[i]).norm());
+    for (std::size_t i = 0; i < a.size() && a.size() == b.size(); ++i)
+        largest = std::max(largest, (b[i] - a[i]).norm());
     return largest;
 }
 
@@ -89,7 +94,8 @@ const std::vector<ConditionKind> along_the_way{
      [](S, T t, C) { return sum(t, [](const Frame& f) { return f.report.pass_throughs; }); }},
     {"stretch_max", "share", "longest or shortest link at any tick, from its length",
      [](S, T t, C c) { return most(t, c, [](const Frame& f) { return f.report.stretch_max; }); }},
-    {"stretch_settled", "share", "the same after the last tick", [](S, T t, C) { return t.frames.back().report.stretch_max; }},
+    {"stretch_settled", "share", "the same after the last tick",
+     [](S, T t, C) { return t.frames.back().report.stretch_max; }},
     {"step_over_bound", "ratio", "largest move of a node in a substep over its bound",
      [](S, T t, C c) { return most(t, c, [](const Frame& f) { return f.report.step_over_bound; }); }},
     {"rest_rms_per_tick", "R", "motion per tick of a thread whose tools are still, rms over nodes, in radii",
@@ -111,13 +117,16 @@ const std::vector<ConditionKind> along_the_way{
      [](S, T t, C) { return tension_ratio(t); }},
     {"not_finite_reported", "ticks", "ticks refused because their input was not finite",
      [](S, T t, C) { return sum(t, [](const Frame& f) { return f.report.not_finite; }); }},
-    {"not_finite_nodes", "count", "nodes whose place is not a number, over all ticks", [](S, T t, C) { return sum(t, broken_nodes); }},
+    {"not_finite_nodes", "count", "nodes whose place is not a number, over all ticks",
+     [](S, T t, C) { return sum(t, broken_nodes); }},
     {"inputs_dropped", "count", "inputs of a drill that were dropped, by its events",
      [](S, T t, C) { return static_cast<double>(t.inputs_dropped); }},
     {"breaks", "count", "times the thread broke", [](S, T t, C) { return static_cast<double>(t.breaks); }},
-    {"broke_off_knot", "D", "how far along the thread from where strands touch it broke", [](S, T t, C) { return t.broke_off / t.diameter; }},
+    {"broke_off_knot", "D", "how far along the thread from where strands touch it broke",
+     [](S, T t, C) { return t.broke_off / t.diameter; }},
     {"pieces", "count", "pieces of thread in the end", [](S, T t, C) { return static_cast<double>(t.pieces.size()); }},
-    {"lost", "D", "length that cuts and breaks took, in thread diameters", [](S, T t, C) { return t.lost / t.diameter; }},
+    {"lost", "D", "length that cuts and breaks took, in thread diameters",
+     [](S, T t, C) { return t.lost / t.diameter; }},
     {"contacts_max", "count", "contacts of one substep at most",
      [](S, T t, C c) { return most(t, c, [](const Frame& f) { return f.report.contacts; }); }},
     {"substeps_max", "count", "substeps of one tick at most: what a tick may cost, on any machine",
@@ -129,7 +138,8 @@ const std::vector<ConditionKind> along_the_way{
 const std::vector<ConditionKind>& condition_kinds() {
     static const auto all = [] {
         std::vector<ConditionKind> kinds = along_the_way;
-        for (const auto* more : {&shape_kinds(), &wall_kinds(), &energy_kinds(), &twin_kinds()}) kinds.insert(kinds.end(), more->begin(), more->end());
+        for (const auto* more : {&shape_kinds(), &wall_kinds(), &energy_kinds(), &twin_kinds()})
+            kinds.insert(kinds.end(), more->begin(), more->end());
         return kinds;
     }();
     return all;

@@ -2,8 +2,8 @@
 
 #include "app/bench/trace.hpp"
 
-// Conditions on the energy of an elastic thread that swings, by its motion and its bends alone: what stretch holds of it is next to
-// nothing where nobody pulls.
+// Conditions on the energy of an elastic thread that swings, by its motion and its bends alone: what stretch holds of
+// it is next to nothing where nobody pulls.
 namespace app::bench {
 
 namespace {
@@ -13,13 +13,16 @@ double energy(const Scene& scene, const Trace& trace, std::size_t frame) {
     if (!scene.thread.elastic) return 0;
     sim::thread::RodDef def = *scene.thread.elastic;
     def.radius = scene.thread.radius;
-    const std::vector<Vec3>&was = frame == 0 ? trace.start : trace.frames[frame - 1].nodes, &now = trace.frames[frame].nodes;
+    const std::vector<Vec3>&was = frame == 0 ? trace.start : trace.frames[frame - 1].nodes,
+          &now = trace.frames[frame].nodes;
     const auto along = [&](std::size_t k) { return Vec3((now[k + 1] - now[k]).normalized()); };
     double sum = 0;
     for (std::size_t k = 0; k < trace.rest.size(); ++k) {
         const double moved2 = 0.5 * ((now[k] - was[k]).squaredNorm() + (now[k + 1] - was[k + 1]).squaredNorm());
         sum += 0.5 * def.mass_per_length() * trace.rest[k] * moved2 / (trace.tick * trace.tick);
-        if (k > 0) sum += def.bending_stiffness() / (trace.rest[k - 1] + trace.rest[k]) * (along(k) - along(k - 1)).squaredNorm();
+        if (k > 0)
+            sum +=
+                def.bending_stiffness() / (trace.rest[k - 1] + trace.rest[k]) * (along(k) - along(k - 1)).squaredNorm();
     }
     return sum;
 }
@@ -44,7 +47,9 @@ double rise(const std::vector<double>& energies) {
     return of_first(most, energies);
 }
 
-double left(const std::vector<double>& energies) { return energies.empty() ? 0 : of_first(energies.back(), energies); }
+double left(const std::vector<double>& energies) {
+    return energies.empty() ? 0 : of_first(energies.back(), energies);
+}
 
 using S = const Scene&;
 using T = const Trace&;
@@ -56,7 +61,8 @@ const std::vector<ConditionKind>& energy_kinds() {
     static const std::vector<ConditionKind> kinds{
         {"energy_rise", "share", "most that motion and bends gain from tick to tick, of what they had at from_s",
          [](S s, T t, C c) { return rise(energies(s, t, c)); }},
-        {"energy_left", "share", "what is left of it in the end", [](S s, T t, C c) { return left(energies(s, t, c)); }},
+        {"energy_left", "share", "what is left of it in the end",
+         [](S s, T t, C c) { return left(energies(s, t, c)); }},
     };
     return kinds;
 }

@@ -39,11 +39,14 @@ double reported_separation(const Trace& trace, const Condition& condition) {
     return value;
 }
 
-bool is_cut(const Frame& frame, std::size_t link) { return std::find(frame.cuts.begin(), frame.cuts.end(), static_cast<int>(link)) != frame.cuts.end(); }
+bool is_cut(const Frame& frame, std::size_t link) {
+    return std::find(frame.cuts.begin(), frame.cuts.end(), static_cast<int>(link)) != frame.cuts.end();
+}
 
 // Of a thread that was cut, in any of its pieces.
 bool has_knot(const Trace& trace, const std::string& knot) {
-    return std::any_of(trace.pieces.begin(), trace.pieces.end(), [&](const auto& piece) { return sim::knot::name_knot(piece).knot == knot; });
+    return std::any_of(trace.pieces.begin(), trace.pieces.end(),
+                       [&](const auto& piece) { return sim::knot::name_knot(piece).knot == knot; });
 }
 
 double gap_to_tools(const Trace& trace, const Frame& frame) {
@@ -75,11 +78,17 @@ double gap_to_surface(const Scene& scene, const Trace& trace, const Frame& frame
     return gap / trace.diameter;
 }
 
-Gauge gauge(const Trace& trace) { return {trace.rest, trace.diameter}; }
+Gauge gauge(const Trace& trace) {
+    return {trace.rest, trace.diameter};
+}
 
-double consumed(const Trace& trace, const Frame& frame) { return gauge(trace).kappa(frame.nodes); }
+double consumed(const Trace& trace, const Frame& frame) {
+    return gauge(trace).kappa(frame.nodes);
+}
 
-double length_error(const Trace& trace) { return std::abs(length_of(trace.nodes()) / gauge(trace).length() - 1); }
+double length_error(const Trace& trace) {
+    return std::abs(length_of(trace.nodes()) / gauge(trace).length() - 1);
+}
 
 // Every 100 ticks, and a name that is not certain says nothing.
 double name_changes(const Trace& trace) {
@@ -105,15 +114,18 @@ const std::vector<ConditionKind>& shape_kinds() {
         {"knot_differs", "count", "1 where the knot in the end is not the one named",
          [](S, T t, C c) { return has_knot(t, c.knot) ? 0.0 : 1.0; }},
         {"knot_changes", "count", "times the knot took another name", [](S, T t, C) { return name_changes(t); }},
-        {"separation_min", "D", "smallest distance of strands, by the solver", [](S, T t, C c) { return reported_separation(t, c); }},
+        {"separation_min", "D", "smallest distance of strands, by the solver",
+         [](S, T t, C c) { return reported_separation(t, c); }},
         {"separation_measured", "D", "the same measured over all pairs of links, every tenth tick",
          [](S, T t, C c) { return least(t, c, far, [gap = gauge(t)](const Frame& f) { return gap.gap(f.nodes); }); }},
         {"tool_gap_min", "D", "smallest gap between thread and tools; negative: into the steel",
          [](S, T t, C c) { return least(t, c, far, [&](const Frame& f) { return gap_to_tools(t, f); }); }},
         {"surface_gap_min", "D", "smallest gap between thread and wall; negative: into the wall",
          [](S s, T t, C c) { return least(t, c, far, [&](const Frame& f) { return gap_to_surface(s, t, f); }); }},
-        {"length_error", "share", "whole length in the end, from what it was", [](S, T t, C) { return length_error(t); }},
-        {"consumed_final", "D", "thread length less distance of its ends, in the end", [](S, T t, C) { return consumed(t, t.frames.back()); }},
+        {"length_error", "share", "whole length in the end, from what it was",
+         [](S, T t, C) { return length_error(t); }},
+        {"consumed_final", "D", "thread length less distance of its ends, in the end",
+         [](S, T t, C) { return consumed(t, t.frames.back()); }},
         {"consumed_min", "D", "the same at its least",
          [](S, T t, C c) { return least(t, c, 1e300, [&](const Frame& f) { return consumed(t, f); }); }},
         {"slipped", "D", "how much farther apart the ends are than they were at from_s",

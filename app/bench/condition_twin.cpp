@@ -30,8 +30,12 @@ double mapped_apart(const Scene& scene, const Trace& trace, const Matrix3d& line
     return farthest(expected, play(mapped(scene, linear)).nodes()) / (scale * trace.diameter);
 }
 
-Matrix3d quarter_turn() { return (Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished(); }
-Matrix3d mirror() { return Eigen::Vector3d(1, 1, -1).asDiagonal(); }
+Matrix3d quarter_turn() {
+    return (Matrix3d() << 0, -1, 0, 1, 0, 0, 0, 0, 1).finished();
+}
+Matrix3d mirror() {
+    return Eigen::Vector3d(1, 1, -1).asDiagonal();
+}
 
 double reversed_apart(const Scene& scene, const Trace& trace) {
     const std::vector<Vec3> expected(trace.nodes().rbegin(), trace.nodes().rend());
@@ -103,14 +107,18 @@ Scene reversed(Scene scene) {
 
 const std::vector<ConditionKind>& twin_kinds() {
     static const std::vector<ConditionKind> kinds{
-        {"hash_differs", "count", "1 where the same input gave other bits", [](S s, T t, C) { return play(s).hash == t.hash ? 0.0 : 1.0; }},
-        {"mirrored_apart", "D", "farthest node from where the mirrored scene has it", [](S s, T t, C) { return mapped_apart(s, t, mirror()); }},
+        {"hash_differs", "count", "1 where the same input gave other bits",
+         [](S s, T t, C) { return play(s).hash == t.hash ? 0.0 : 1.0; }},
+        {"mirrored_apart", "D", "farthest node from where the mirrored scene has it",
+         [](S s, T t, C) { return mapped_apart(s, t, mirror()); }},
         {"turned_apart", "D", "farthest node from where the scene turned by a quarter has it",
          [](S s, T t, C) { return mapped_apart(s, t, quarter_turn()); }},
         {"scaled_apart", "D", "farthest node from where the scene so many times as large has it",
          [](S s, T t, C c) { return mapped_apart(s, t, c.factor * Matrix3d::Identity()); }},
-        {"reversed_apart", "D", "farthest node from where the scene numbered from the other end has it", [](S s, T t, C) { return reversed_apart(s, t); }},
-        {"ticked_apart", "D", "farthest node from where ticks so many times as long have it", [](S s, T t, C c) { return ticked_apart(s, t, c.factor); }},
+        {"reversed_apart", "D", "farthest node from where the scene numbered from the other end has it",
+         [](S s, T t, C) { return reversed_apart(s, t); }},
+        {"ticked_apart", "D", "farthest node from where ticks so many times as long have it",
+         [](S s, T t, C c) { return ticked_apart(s, t, c.factor); }},
         {"nudged_knot_differs", "count", "of two starts moved by the last bit, those that end in another knot",
          [](S s, T t, C) { return nudged_knot_differs(s, t); }},
         {"unbroken_differs", "count", "1 where the scene without its faults ends in other bits",

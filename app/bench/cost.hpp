@@ -6,7 +6,9 @@
 namespace app::bench {
 
 /// Of this length [s] there are so many in `seconds`.
-inline int ticks_in(double seconds, double tick) { return static_cast<int>(std::lround(seconds / tick)); }
+inline int ticks_in(double seconds, double tick) {
+    return static_cast<int>(std::lround(seconds / tick));
+}
 
 /// What a thread's ticks cost; what is measured between them does not count.
 class Cost {

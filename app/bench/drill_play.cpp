@@ -40,14 +40,30 @@ struct Device {
     ToolInput spoilt(const Fault& fault, double t, std::size_t tool, ToolInput input) {
         auto& rotation = input.pose.rotation.coeffs();
         switch (fault.kind) {
-            case Fault::Kind::nan: input.pose.position.y() = std::numeric_limits<double>::quiet_NaN(); break;
-            case Fault::Kind::infinite: input.pose.position.x() = std::numeric_limits<double>::infinity(); break;
-            case Fault::Kind::zero_rotation: rotation.setZero(); break;
-            case Fault::Kind::long_rotation: rotation *= 2; break;  // a power of two: normalising it rounds nothing
-            case Fault::Kind::flipped_rotation: rotation = -rotation; break;
-            case Fault::Kind::frozen: input = at(fault.from, tool); break;
-            case Fault::Kind::leap: input.pose.position += fault.by; break;
-            case Fault::Kind::sampled: input = sampled(t, tool, fault.hz); break;
+            case Fault::Kind::nan:
+                input.pose.position.y() = std::numeric_limits<double>::quiet_NaN();
+                break;
+            case Fault::Kind::infinite:
+                input.pose.position.x() = std::numeric_limits<double>::infinity();
+                break;
+            case Fault::Kind::zero_rotation:
+                rotation.setZero();
+                break;
+            case Fault::Kind::long_rotation:
+                rotation *= 2;
+                break;  // a power of two: normalising it rounds nothing
+            case Fault::Kind::flipped_rotation:
+                rotation = -rotation;
+                break;
+            case Fault::Kind::frozen:
+                input = at(fault.from, tool);
+                break;
+            case Fault::Kind::leap:
+                input.pose.position += fault.by;
+                break;
+            case Fault::Kind::sampled:
+                input = sampled(t, tool, fault.hz);
+                break;
         }
         return input;
     }
@@ -65,10 +81,12 @@ scenarios::drill::Drill drill_of(const Scene& scene) {
 // What of the session's worst is of this tick cannot be told apart; each frame carries the worst so far.
 Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before) {
     Frame frame;
-    // As many as at first, in the same places along the thread, though its links change: so that two ways can be compared.
+    // As many as at first, in the same places along the thread, though its links change: so that two ways can be
+    // compared.
     frame.nodes = sim::geometry::resample(world.thread(), world.def().thread.links);
     for (const auto& tool : world.tools()) {
-        for (const auto& part : instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw)) frame.tools.push_back(part);
+        for (const auto& part : instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw))
+            frame.tools.push_back(part);
         if (!tool.grasps.empty()) frame.lag = std::max(frame.lag, tool.lag());
     }
     frame.report.stretch_max = world.stretch_now();
@@ -91,7 +109,8 @@ Trace play_drill(const Scene& scene) {
     Device device{motion, inputs};
     Session session(drill, inputs);
     const auto& world = session.world();
-    Trace trace{drill.world.tick_s, drill.world.thread.diameter, {world.thread().begin(), world.thread().end()}, {}, {}, 0, 0};
+    Trace trace{
+        drill.world.tick_s, drill.world.thread.diameter, {world.thread().begin(), world.thread().end()}, {}, {}, 0, 0};
     trace.rest.assign(world.thread_state().rest_lengths().begin(), world.thread_state().rest_lengths().end());
     WallWatch watch(world);
     for (int tick = 0; tick < scene.duration / trace.tick; ++tick) {
@@ -100,7 +119,8 @@ Trace play_drill(const Scene& scene) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             inputs[i] = device.at(t, i);
             for (const Fault& fault : scene.faults)
-                if (fault.input == names[i] && fault.from <= t && t <= fault.to) inputs[i] = device.spoilt(fault, t, i, inputs[i]);
+                if (fault.input == names[i] && fault.from <= t && t <= fault.to)
+                    inputs[i] = device.spoilt(fault, t, i, inputs[i]);
         }
         session.tick(inputs);
         trace.frames.push_back(frame_of(world, passed_before));

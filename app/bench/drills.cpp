@@ -36,7 +36,8 @@ std::vector<Case> cases() {
     const Way finest{"fine", "links half as long, ticks of 0.5 ms", "ftl", 0.5, {}, 0.5e-3};
     const Way fine{"fine", "links half as long, all contacts", "elastic", 0.5, 0};
     const Way halved{"halved", "links half as long", "", 0.5}, doubled{"doubled", "links twice as long", "", 2};
-    const Way slower{"tick2", "ticks of 2 ms", "", 1, {}, 2e-3}, ftl{"ftl", "ftl", "ftl"}, elastic{"elastic", "elastic", "elastic"};
+    const Way slower{"tick2", "ticks of 2 ms", "", 1, {}, 2e-3}, ftl{"ftl", "ftl", "ftl"},
+        elastic{"elastic", "elastic", "elastic"};
     const Way all{"contacts0", "all contacts", "", 1, 0}, fifty{"contacts50", "contacts_per_tick 50", "", 1, 50};
     const std::vector<Way> loose{finest, shipped, halved, doubled, slower, elastic};
     return {{"square", "square-knot", loose},
@@ -112,7 +113,8 @@ void add_drills(Suite& suite, bool quick, const Progress& progress) {
             const Played now = played(drill.file, way);
             const double seconds = processor_time() - begin;
             if (!quick && !fine) fine = now;
-            const std::string id = "drill-" + drill.id + "-" + way.id + "-", words = drill.file + "; " + way.words + ": ";
+            const std::string id = "drill-" + drill.id + "-" + way.id + "-",
+                              words = drill.file + "; " + way.words + ": ";
             const std::string called = words + (now.knot == "0_1" ? "no knot" : now.knot) + ", as in the fine run";
             if (fine) suite.rows.push_back(told(id + "same", called, now.knot == fine->knot, "count", seconds));
             for (std::size_t i = 0; i < now.measured.size(); ++i) {
@@ -120,7 +122,8 @@ void add_drills(Suite& suite, bool quick, const Progress& progress) {
                 suite.rows.push_back(told(id + figure.id, words + figure.what, figure.value, figure.unit, 0));
                 if (fine) suite.rows.back().error = std::abs(figure.value - fine->measured[i].value);
             }
-            for (const Figure& figure : now.cost) suite.rows.push_back(told(id + figure.id, words + figure.what, figure.value, figure.unit, 0));
+            for (const Figure& figure : now.cost)
+                suite.rows.push_back(told(id + figure.id, words + figure.what, figure.value, figure.unit, 0));
         }
         if (quick) return;
     }

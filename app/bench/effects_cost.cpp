@@ -8,8 +8,8 @@
 #include "app/bench/stopwatch.hpp"
 #include "app/bench/thread_rope.hpp"
 
-// The overhand pull of 6-0 polypropylene, with each effect of drills the other way than it usually is. What an effect costs is told by its
-// median tick over that of the thread that has none of what can be left out.
+// The overhand pull of 6-0 polypropylene, with each effect of drills the other way than it usually is. What an effect
+// costs is told by its median tick over that of the thread that has none of what can be left out.
 namespace app::bench {
 
 namespace {
@@ -24,7 +24,9 @@ struct Variant {
 };
 
 // Balance alone: no weight, no set, no mass, and hardly any stretch.
-RodDef bare() { return {.quasi_static = true}; }
+RodDef bare() {
+    return {.quasi_static = true};
+}
 
 std::array<Variant, 6> variants() {
     std::array<Variant, 6> all{{{"ftl", "all off", false, {}},
@@ -62,13 +64,27 @@ void add_effects(Suite& suite, bool quick, const Progress& progress) {
         }
     const double bare = percentile(all[with].medians, 0.5);
     for (const Variant& v : all) {
-        const std::string id = std::string("effects-") + v.id, what = std::string("overhand pull of 6-0, 200 links, ") + v.words;
-        suite.rows.push_back(told(id + "-p50", what + ": median tick", percentile(v.medians, 0.5), "us", watch.seconds()));
-        if (&v > &all[with]) suite.rows.push_back(told(id + "-ratio", what + ": over that of bending alone", percentile(v.medians, 0.5) / bare, "ratio", watch.seconds()));
+        const std::string id = std::string("effects-") + v.id,
+                          what = std::string("overhand pull of 6-0, 200 links, ") + v.words;
+        suite.rows.push_back(
+            told(id + "-p50", what + ": median tick", percentile(v.medians, 0.5), "us", watch.seconds()));
+        if (&v > &all[with])
+            suite.rows.push_back(told(id + "-ratio", what + ": over that of bending alone",
+                                      percentile(v.medians, 0.5) / bare, "ratio", watch.seconds()));
     }
-    suite.rows.push_back({.id = "effects-kept", .what = "overhand pulls with each effect on and off: knots kept", .value = kept / (times * static_cast<double>(all.size())), .unit = "share",
-                          .bound = 1, .must = Must::be_at_least, .error = {}});
-    suite.rows.push_back({.id = "effects-passes", .what = "the same: pass-throughs", .value = passes, .unit = "count", .bound = 0, .error = {}});
+    suite.rows.push_back({.id = "effects-kept",
+                          .what = "overhand pulls with each effect on and off: knots kept",
+                          .value = kept / (times * static_cast<double>(all.size())),
+                          .unit = "share",
+                          .bound = 1,
+                          .must = Must::be_at_least,
+                          .error = {}});
+    suite.rows.push_back({.id = "effects-passes",
+                          .what = "the same: pass-throughs",
+                          .value = passes,
+                          .unit = "count",
+                          .bound = 0,
+                          .error = {}});
 }
 
 }  // namespace app::bench

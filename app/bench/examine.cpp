@@ -24,7 +24,9 @@ std::vector<Outcome> examine(const HardCase& hard_case, bool quick) {
             const Stopwatch measuring;
             const double value = condition_kind(outcome.condition.is).measure(scene, trace, outcome.condition);
             const bool most = outcome.condition.must == Must::be_at_most;
-            outcome.value = !outcome.measured ? value : most ? std::max(outcome.value, value) : std::min(outcome.value, value);
+            outcome.value = !outcome.measured ? value
+                            : most            ? std::max(outcome.value, value)
+                                              : std::min(outcome.value, value);
             outcome.measured = true;
             outcome.seconds += share + measuring.seconds();
         }

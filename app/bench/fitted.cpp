@@ -12,8 +12,8 @@
 #include "sim/geometry/resample.hpp"
 #include "sim/knot/namer.hpp"
 
-// 150 mm of 6-0 lie in a loose square knot above a loop, which is pulled tight by its tails: in links as long as the thread
-// is thick, in links eight times as long, and in such that are halved where they are needed.
+// 150 mm of 6-0 lie in a loose square knot above a loop, which is pulled tight by its tails: in links as long as the
+// thread is thick, in links eight times as long, and in such that are halved where they are needed.
 namespace app::bench {
 
 namespace {
@@ -45,7 +45,8 @@ void pull(Loop& loop, Tied& tied, std::vector<Vec3>& before) {
     const bool changed = thread.fit_links(loop.held);
     double spent = processor_time() - begin;
     if (changed)
-        for (const Vec3& p : before) tied.moved = std::max(tied.moved, distance_to(p, thread.nodes()) / thread.def().radius);
+        for (const Vec3& p : before)
+            tied.moved = std::max(tied.moved, distance_to(p, thread.nodes()) / thread.def().radius);
     begin = processor_time();
     const TickReport report = loop.pull_tails(hand_step);
     spent += processor_time() - begin;
@@ -56,8 +57,8 @@ void pull(Loop& loop, Tied& tied, std::vector<Vec3>& before) {
     tied.pass_throughs += report.pass_throughs;
 }
 
-// Thread between the tails' ends and the sides of the loop, less the straight ways from where they are held to the knot's
-// middle, over the thickness.
+// Thread between the tails' ends and the sides of the loop, less the straight ways from where they are held to the
+// knot's middle, over the thickness.
 double takes_up(const Loop& loop) {
     const auto rest = loop.thread.rest_lengths();
     const auto nodes = loop.thread.nodes();
@@ -72,7 +73,8 @@ double takes_up(const Loop& loop) {
     double touching = 0;
     for (int i = loop.held[0]; i < loop.held[1]; ++i)
         for (int j = loop.held[2]; j < loop.held[3]; ++j) {
-            const auto pair = sim::geometry::closest_points(nodes[at(i)], nodes[at(i + 1)], nodes[at(j)], nodes[at(j + 1)]);
+            const auto pair =
+                sim::geometry::closest_points(nodes[at(i)], nodes[at(i + 1)], nodes[at(j)], nodes[at(j + 1)]);
             if (pair.distance_squared > 1.44 * default_diameter * default_diameter) continue;
             middle += 0.5 * (pair.on_a + pair.on_b);
             ++touching;
@@ -85,8 +87,9 @@ double takes_up(const Loop& loop) {
 Tied tie(double link, double shortest) {
     constexpr int patience = 200, most_ticks = 6000;
     // As loose as a rope would lie in it that is as thick as the long links are long.
-    std::vector<Vec3> nodes =
-        loose_thread(looped(Knot::square, loop_depth), static_cast<int>(fitted_length / long_link), long_link, 0.5 * long_link).nodes;
+    std::vector<Vec3> nodes = loose_thread(looped(Knot::square, loop_depth),
+                                           static_cast<int>(fitted_length / long_link), long_link, 0.5 * long_link)
+                                  .nodes;
     nodes = sim::geometry::resample(nodes, static_cast<int>(std::lround(fitted_length / link)));
     Loop loop({.shortest_link = shortest}, nodes);
     Tied tied;
@@ -99,7 +102,8 @@ Tied tie(double link, double shortest) {
         was = now;
     }
     tied.takes_up = takes_up(loop);
-    tied.kept = sim::knot::name_knot({loop.thread.nodes().begin(), loop.thread.nodes().end()}).knot == known(Knot::square).type;
+    tied.kept =
+        sim::knot::name_knot({loop.thread.nodes().begin(), loop.thread.nodes().end()}).knot == known(Knot::square).type;
     return tied;
 }
 
@@ -110,7 +114,9 @@ void add_fitted(Suite& suite, const Progress& progress) {
         const char *id, *words;
         double link, shortest;
     };
-    const Case cases[] = {{"links-short", "D", default_diameter, 0}, {"links-long", "8 D", long_link, 0}, {"links-fitted", "8 D to D", long_link, default_diameter}};
+    const Case cases[] = {{"links-short", "D", default_diameter, 0},
+                          {"links-long", "8 D", long_link, 0},
+                          {"links-fitted", "8 D to D", long_link, default_diameter}};
     double short_p50 = 0;
     for (const Case& c : cases) {
         progress(std::string("150 mm into a square knot, links of ") + c.words);

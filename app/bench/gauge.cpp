@@ -32,7 +32,8 @@ Gauge::Gauge(const sim::thread::Thread& thread)
 double Gauge::stretch(std::span<const Vec3> nodes) const {
     if (!is_finite(nodes)) return NAN;
     double most = -1;
-    for (std::size_t i = 0; i < rest_.size(); ++i) most = std::max(most, (nodes[i + 1] - nodes[i]).norm() / rest_[i] - 1);
+    for (std::size_t i = 0; i < rest_.size(); ++i)
+        most = std::max(most, (nodes[i + 1] - nodes[i]).norm() / rest_[i] - 1);
     return most;
 }
 
@@ -57,7 +58,9 @@ double Gauge::gap(std::span<const Vec3> nodes) const {
     return least / diameter_;
 }
 
-double Gauge::kappa(std::span<const Vec3> nodes) const { return (length() - (nodes.back() - nodes.front()).norm()) / diameter_; }
+double Gauge::kappa(std::span<const Vec3> nodes) const {
+    return (length() - (nodes.back() - nodes.front()).norm()) / diameter_;
+}
 
 double percentile(std::vector<double> values, double share) {
     if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) return NAN;

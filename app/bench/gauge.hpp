@@ -19,11 +19,13 @@ class Gauge {
     /// Of the longest link, its length over that at rest, less 1.
     double stretch(std::span<const Vec3> nodes) const;
 
-    /// Smallest distance between two links' centre lines over the diameter; 3 when it is more. Links nearer along the rope
-    /// than half a turn of the tightest bend, pi R, are left out, as in sim/thread: a bend cannot be told from a touch there.
+    /// Smallest distance between two links' centre lines over the diameter; 3 when it is more. Links nearer along the
+    /// rope than half a turn of the tightest bend, pi R, are left out, as in sim/thread: a bend cannot be told from a
+    /// touch there.
     double gap(std::span<const Vec3> nodes) const;
 
-    /// Rope length less the distance of the ends, over the diameter: what a knot takes up. An ideal overhand takes 10.1.
+    /// Rope length less the distance of the ends, over the diameter: what a knot takes up. An ideal overhand
+    /// takes 10.1.
     double kappa(std::span<const Vec3> nodes) const;
 
     double length() const { return arc_.back(); }  ///< At rest [m].

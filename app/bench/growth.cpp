@@ -51,7 +51,8 @@ Fit fit(const std::vector<double>& n, const std::vector<double>& cost) {
         const double dx = std::log(n[i]) - x;
         xx += dx * dx, xy += dx * (std::log(cost[i]) - y);
     }
-    for (std::size_t i = 0; i < n.size(); ++i) rest += std::pow(std::log(cost[i]) - y - xy / xx * (std::log(n[i]) - x), 2);
+    for (std::size_t i = 0; i < n.size(); ++i)
+        rest += std::pow(std::log(cost[i]) - y - xy / xx * (std::log(n[i]) - x), 2);
     return {xy / xx, std::sqrt(rest / (count - 2) / xx)};
 }
 

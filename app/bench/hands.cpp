@@ -48,9 +48,11 @@ TickReport Hands::move(Thread& thread, const Vec3& by0, const Vec3& by1) {
     return report;
 }
 
-Apart::Apart(const Thread& thread) : hands(thread), away((thread.nodes().back() - thread.nodes().front()).normalized()) {}
+Apart::Apart(const Thread& thread)
+    : hands(thread), away((thread.nodes().back() - thread.nodes().front()).normalized()) {}
 
-double tighten(Thread& thread, Apart& pull, double speed, int most_ticks, const std::function<void(const TickReport&)>& each) {
+double tighten(Thread& thread, Apart& pull, double speed, int most_ticks,
+               const std::function<void(const TickReport&)>& each) {
     constexpr int patience = 100;
     constexpr double tick = 1e-3, little = 0.01;
     double least = taken_up(thread), was = least;
@@ -66,7 +68,9 @@ double tighten(Thread& thread, Apart& pull, double speed, int most_ticks, const 
     return least;
 }
 
-double taken_up(const Thread& thread) { return Gauge(thread).kappa(thread.nodes()); }
+double taken_up(const Thread& thread) {
+    return Gauge(thread).kappa(thread.nodes());
+}
 
 std::string name_between(const Thread& thread, int first, int last) {
     std::vector<Vec3> curve(thread.nodes().begin() + first, thread.nodes().begin() + last + 1);

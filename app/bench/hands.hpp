@@ -48,15 +48,17 @@ struct Apart {
     Cost cost;
 };
 
-/// Pulls both ends at `speed` [m/s] in ticks of 1 ms until a hundred ticks brought them no farther apart than a hundredth of
-/// the thread's thickness; returns the least that the knot took up after any tick [D]. `each` sees every report.
+/// Pulls both ends at `speed` [m/s] in ticks of 1 ms until a hundred ticks brought them no farther apart than a
+/// hundredth of the thread's thickness; returns the least that the knot took up after any tick [D]. `each` sees every
+/// report.
 double tighten(Thread& thread, Apart& pull, double speed, int most_ticks,
-    const std::function<void(const TickReport&)>& each = {});
+               const std::function<void(const TickReport&)>& each = {});
 
 /// What the knot takes up, in thread diameters: Gauge::kappa.
 double taken_up(const Thread& thread);
 
-/// Named with its ends led out far beyond the nodes `first` and `last` along the line between them; empty if not certain.
+/// Named with its ends led out far beyond the nodes `first` and `last` along the line between them; empty if not
+/// certain.
 std::string name_between(const Thread& thread, int first, int last);
 
 }  // namespace app::bench

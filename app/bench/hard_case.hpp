@@ -8,8 +8,8 @@
 #include "app/bench/row.hpp"
 #include "sim/thread/thread.hpp"
 
-// A hard case: a scene in which simulators of thread fail, what would go wrong for a user if ours did, and conditions that
-// tell. Scenes are files (tests/hard_cases/*.json), shared by tests, `carrel bench stability` and the viewer.
+// A hard case: a scene in which simulators of thread fail, what would go wrong for a user if ours did, and conditions
+// that tell. Scenes are files (tests/hard_cases/*.json), shared by tests, `carrel bench stability` and the viewer.
 namespace app::bench {
 
 using sim::geometry::Capsule;
@@ -17,9 +17,9 @@ using sim::geometry::Vec3;
 
 /// How far something has gone and turned at one time.
 struct WayKey {
-    double t = 0;             ///< [s]
-    Vec3 by = Vec3::Zero();   ///< [m]
-    double turn = 0;          ///< [rad] about Way::axis.
+    double t = 0;            ///< [s]
+    Vec3 by = Vec3::Zero();  ///< [m]
+    double turn = 0;         ///< [rad] about Way::axis.
 };
 
 /// Linear between its keys, still before and after them.
@@ -34,9 +34,9 @@ struct Way {
 struct HoldPlan {
     std::vector<int> nodes;
     int tool = -1;
-    double from = 0, to = 0;                  ///< [s]
+    double from = 0, to = 0;                       ///< [s]
     double chatter_period = 0, chatter_phase = 0;  ///< [s] Held only in the first half of each period, if there is one.
-    Way way;                                  ///< Counted from where the nodes are when grasped.
+    Way way;                                       ///< Counted from where the nodes are when grasped.
 
     bool held_at(double t) const;
 };
@@ -72,28 +72,28 @@ struct Scene {
     std::vector<ToolPlan> tools;
     std::vector<sim::geometry::Triangle> surface;
     std::vector<Fault> faults;
-    std::vector<CutPlan> cuts;   ///< Those of one tick from the last place to the first.
+    std::vector<CutPlan> cuts;  ///< Those of one tick from the last place to the first.
     double break_force = std::numeric_limits<double>::infinity();  ///< [N]
-    double tick = 1e-3, duration = 0;  ///< [s]
-    std::filesystem::path drill;       ///< If set, the scene is this drill moved by its own motion ...
-    std::string model;                 ///< ... with this thread instead of its own, unless empty.
+    double tick = 1e-3, duration = 0;                              ///< [s]
+    std::filesystem::path drill;  ///< If set, the scene is this drill moved by its own motion ...
+    std::string model;            ///< ... with this thread instead of its own, unless empty.
 };
 
 /// What is measured and what it must be.
 struct Condition {
-    std::string is;          ///< One of condition_kinds().
+    std::string is;  ///< One of condition_kinds().
     Must must = Must::be_at_most;
     double bound = 0;
-    double from = 0;         ///< Measured from here [s] ...
+    double from = 0;                                      ///< Measured from here [s] ...
     double to = std::numeric_limits<double>::infinity();  ///< ... to here.
-    int node = -1;           ///< Of which node; -1: the one that shows most.
+    int node = -1;                                        ///< Of which node; -1: the one that shows most.
     int tool = 0;
-    int vessel = -1;         ///< Of which; -1: the one that shows most.
-    double factor = 1;       ///< Of what is scaled.
-    std::string knot;        ///< The name it must have.
-    std::string event;       ///< The kind that is counted.
-    std::string model;       ///< Asked only of variants with this thread; empty: of all.
-    std::string known;       ///< Not empty: misses its bound today, for this reason ...
+    int vessel = -1;              ///< Of which; -1: the one that shows most.
+    double factor = 1;            ///< Of what is scaled.
+    std::string knot;             ///< The name it must have.
+    std::string event;            ///< The kind that is counted.
+    std::string model;            ///< Asked only of variants with this thread; empty: of all.
+    std::string known;            ///< Not empty: misses its bound today, for this reason ...
     std::optional<double> today;  ///< ... and keeps this one meanwhile.
 };
 

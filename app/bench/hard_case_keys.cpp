@@ -11,21 +11,37 @@ namespace {
 Shape quantity(double low, double high, const std::string& unit = "") {
     return {.types = number, .low = low, .high = high, .unit = unit};
 }
-Shape count(double low, double high) { return {.types = integer, .low = low, .high = high}; }
-Shape words() { return {.types = text}; }
+Shape count(double low, double high) {
+    return {.types = integer, .low = low, .high = high};
+}
+Shape words() {
+    return {.types = text};
+}
 Shape word(const std::string& pattern, const std::string& in_words) {
     return {.types = text, .pattern = pattern, .pattern_words = in_words};
 }
-Shape choice(std::vector<json> choices) { return {.types = text, .choices = std::move(choices)}; }
+Shape choice(std::vector<json> choices) {
+    return {.types = text, .choices = std::move(choices)};
+}
 Shape list(std::size_t min_items, std::size_t max_items, Shape item) {
     return {.types = array, .min_items = min_items, .max_items = max_items, .items = {std::move(item)}};
 }
-Shape group(std::vector<Key> keys) { return {.types = object, .keys = std::move(keys)}; }
+Shape group(std::vector<Key> keys) {
+    return {.types = object, .keys = std::move(keys)};
+}
 
-Shape millimetres() { return quantity(-10000, 10000, "mm"); }
-Shape seconds() { return quantity(0, 1000, "s"); }
-Shape point() { return list(3, 3, millimetres()); }
-Shape tool() { return count(-1, 9); }
+Shape millimetres() {
+    return quantity(-10000, 10000, "mm");
+}
+Shape seconds() {
+    return quantity(0, 1000, "s");
+}
+Shape point() {
+    return list(3, 3, millimetres());
+}
+Shape tool() {
+    return count(-1, 9);
+}
 
 Shape node() {
     Shape shape = word("^(first|last|[0-9]{1,2}%)$", "a number, \"first\", \"last\" or a share such as \"50%\"");
@@ -63,8 +79,12 @@ Shape thread() {
 }
 
 std::vector<Key> way_keys() {
-    const Shape key = group({{"t_s", seconds(), true}, {"by_mm", point(), false, json{0, 0, 0}}, {"turn_deg", quantity(-1e5, 1e5, "degrees"), false, 0}});
-    return {{"tool", tool(), false, -1}, {"axis", list(3, 3, quantity(-1, 1)), false, json{1, 0, 0}}, {"keys", list(0, 1000, key), false, json::array()}};
+    const Shape key = group({{"t_s", seconds(), true},
+                             {"by_mm", point(), false, json{0, 0, 0}},
+                             {"turn_deg", quantity(-1e5, 1e5, "degrees"), false, 0}});
+    return {{"tool", tool(), false, -1},
+            {"axis", list(3, 3, quantity(-1, 1)), false, json{1, 0, 0}},
+            {"keys", list(0, 1000, key), false, json::array()}};
 }
 
 Shape hold() {
@@ -95,7 +115,10 @@ Shape tube() {
 
 Shape fault() {
     return group({{"input", word("^[a-z][a-z0-9_-]{0,39}$", "\"holds\", \"tools\" or an instrument"), true},
-                  {"is", choice({"nan", "infinite", "zero_rotation", "long_rotation", "flipped_rotation", "frozen", "leap", "sampled"}), true},
+                  {"is",
+                   choice({"nan", "infinite", "zero_rotation", "long_rotation", "flipped_rotation", "frozen", "leap",
+                           "sampled"}),
+                   true},
                   {"from_s", seconds(), false, 0},
                   {"to_s", seconds()},
                   {"by_mm", point(), false, json{0, 0, 0}},
@@ -137,7 +160,9 @@ const Shape& hard_case_shape() {
          {"holds", list(0, 100, hold()), false, json::array()},
          {"tools", list(0, 100, tool_part()), false, json::array()},
          {"tube", tube()},
-         {"cuts", list(0, 100, group({{"t_s", seconds(), true}, {"after", node(), true}, {"share", quantity(0, 1), false, 0}})), false, json::array()},
+         {"cuts",
+          list(0, 100, group({{"t_s", seconds(), true}, {"after", node(), true}, {"share", quantity(0, 1), false, 0}})),
+          false, json::array()},
          {"broken_input", list(0, 20, fault()), false, json::array()},
          {"tick_s", quantity(1e-5, 1, "s"), false, 1e-3},
          {"duration_s", quantity(1e-4, 1000, "s"), true},

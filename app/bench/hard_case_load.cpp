@@ -37,14 +37,18 @@ Condition condition_of(const json& value, const Scene& scene) {
 // What no table can say, because it is about two values at once.
 void check(const Condition& c, const Scene& scene, const std::string& at) {
     if ((c.is == "knot_differs") == c.knot.empty())
-        throw Misfit{at, c.knot.empty() ? "the key \"knot\" is missing: the name it must have" : "\"knot\" goes with \"knot_differs\" alone"};
+        throw Misfit{at, c.knot.empty() ? "the key \"knot\" is missing: the name it must have"
+                                        : "\"knot\" goes with \"knot_differs\" alone"};
     if ((c.is == "events") == c.event.empty())
-        throw Misfit{at, c.event.empty() ? "the key \"event\" is missing: the kind that is counted" : "\"event\" goes with \"events\" alone"};
+        throw Misfit{at, c.event.empty() ? "the key \"event\" is missing: the kind that is counted"
+                                         : "\"event\" goes with \"events\" alone"};
     if (c.known.empty() == c.today.has_value())
-        throw Misfit{at, c.known.empty() ? "\"today\" goes with \"known\" alone" : "the key \"today\" is missing: the bound that holds until then"};
+        throw Misfit{at, c.known.empty() ? "\"today\" goes with \"known\" alone"
+                                         : "the key \"today\" is missing: the bound that holds until then"};
     const bool needs_tool = c.is == "tool_moved";
     if (needs_tool && (!scene.drill.empty() || c.tool >= static_cast<int>(scene.tools.size())))
-        throw Misfit{at + "/part", "expected less than the " + std::to_string(scene.tools.size()) + " tool parts of the scene"};
+        throw Misfit{at + "/part",
+                     "expected less than the " + std::to_string(scene.tools.size()) + " tool parts of the scene"};
     if (c.from >= scene.duration) throw Misfit{at + "/from_s", "expected less than duration_s"};
     if (c.node >= static_cast<int>(scene.nodes.size()) && scene.drill.empty())
         throw Misfit{at + "/node", "expected less than the thread's " + std::to_string(scene.nodes.size()) + " nodes"};
@@ -63,7 +67,8 @@ std::vector<Condition> conditions_of(const json& value, const Scene& scene) {
 json variants_taken_out(json& given) {
     if (!given.is_object() || !given.contains("variants")) return json::array();
     json variants = given["variants"];
-    if (!variants.is_array() || variants.size() > 20 || !std::all_of(variants.begin(), variants.end(), [](const json& v) { return v.is_object(); }))
+    if (!variants.is_array() || variants.size() > 20 ||
+        !std::all_of(variants.begin(), variants.end(), [](const json& v) { return v.is_object(); }))
         throw Misfit{"/variants", "expected a list of up to 20 objects, each with what it replaces in the scene"};
     given.erase("variants");
     return variants;
@@ -92,13 +97,16 @@ HardCase parse_hard_case(const std::string& text, const std::filesystem::path& f
             parsed.fail(problem->pointer, problem->what, problem->at_key);
         const json value = scenarios::drill::with_defaults(given, hard_case_shape());
         const auto folder = file.parent_path();
-        HardCase hard_case{value["id"], value["goes_wrong"], value.value("why", ""), value["case"], {scene_of(value, folder)}, {}};
-        if (hard_case.id != file.stem()) throw Misfit{"/id", "expected the file's name, \"" + file.stem().string() + "\""};
+        HardCase hard_case{value["id"],   value["goes_wrong"],       value.value("why", ""),
+                           value["case"], {scene_of(value, folder)}, {}};
+        if (hard_case.id != file.stem())
+            throw Misfit{"/id", "expected the file's name, \"" + file.stem().string() + "\""};
         hard_case.conditions = conditions_of(value, hard_case.scenes.front());
         for (std::size_t i = 0; i < variants.size(); ++i)
             hard_case.scenes.push_back(variant_of(given, variants[i], folder, "/variants/" + std::to_string(i)));
         for (std::size_t i = 0; i < hard_case.conditions.size(); ++i)
-            if (std::none_of(hard_case.scenes.begin(), hard_case.scenes.end(), [&](const Scene& s) { return is_asked_of(s, hard_case.conditions[i]); }))
+            if (std::none_of(hard_case.scenes.begin(), hard_case.scenes.end(),
+                             [&](const Scene& s) { return is_asked_of(s, hard_case.conditions[i]); }))
                 throw Misfit{"/expect/" + std::to_string(i) + "/model", "expected that of a variant"};
         return hard_case;
     } catch (const Misfit& misfit) {

@@ -26,10 +26,11 @@ struct Scene {
     const char *curve, *name;
     bool by_both_ends;
 };
-constexpr Scene scenes[] = {{"p129", "bowline", false}, {"p135", "clove hitch", true}, {"p136", "constrictor", true},
-                            {"p137", "cow hitch", true}, {"p138", "prusik", true}, {"p139", "prusik", true}};
+constexpr Scene scenes[] = {{"p129", "bowline", false},  {"p135", "clove hitch", true}, {"p136", "constrictor", true},
+                            {"p137", "cow hitch", true}, {"p138", "prusik", true},      {"p139", "prusik", true}};
 
-// Hitches are drawn round a pole of radius 1 whose middle is at the origin; the bowline has none, so one is put through its eye.
+// Hitches are drawn round a pole of radius 1 whose middle is at the origin; the bowline has none, so one is put through
+// its eye.
 Bar bar_of(const LabelledCurve& curve) {
     if (curve.components.size() == 1) return {{-5, -1.75, 0.5}, Vec3(0, 0.54, 0.84).normalized(), 0.5, 0.07};
     const auto& pole = curve.components[1].vertices;
@@ -37,8 +38,8 @@ Bar bar_of(const LabelledCurve& curve) {
 }
 
 struct Play {
-    Play(const LabelledCurve& curve, const Scene& the_scene) : scene(the_scene), bar(bar_of(curve)), scale(def.radius / bar.thread_radius),
-        thread(def, nodes(curve)) {
+    Play(const LabelledCurve& curve, const Scene& the_scene)
+        : scene(the_scene), bar(bar_of(curve)), scale(def.radius / bar.thread_radius), thread(def, nodes(curve)) {
         const int last = static_cast<int>(thread.nodes().size()) - 1;
         hold(0, 1);
         if (scene.by_both_ends) hold(last, last - 1);
@@ -75,13 +76,15 @@ struct Play {
         }
         tied.pass_throughs += thread.tick({holds, owners, capsules, nullptr}).pass_throughs;
         double out = 0;
-        for (std::size_t i = 0; i < held.size(); ++i) out += (thread.nodes()[static_cast<std::size_t>(held[i])] - before[i]).dot(ways[i]);
+        for (std::size_t i = 0; i < held.size(); ++i)
+            out += (thread.nodes()[static_cast<std::size_t>(held[i])] - before[i]).dot(ways[i]);
         return out;
     }
 
     void name() {
         const Vec3 middle = scale * bar.at, half = 100 * scale * bar.along;
-        const auto now = sim::knot::name_among({thread.nodes().begin(), thread.nodes().end()}, {{middle - half, middle, middle + half}});
+        const auto now = sim::knot::name_among({thread.nodes().begin(), thread.nodes().end()},
+                                               {{middle - half, middle, middle + half}});
         ++tied.names;
         tied.last = now.name.surgical;
         tied.other += tied.last != tied.expected;
@@ -122,7 +125,8 @@ std::vector<std::string> curves_on_bar() {
 }
 
 OnBar hitch_on_bar(const std::filesystem::path& folder, const std::string& curve) {
-    const auto* scene = std::find_if(std::begin(scenes), std::end(scenes), [&](const Scene& s) { return s.curve == curve; });
+    const auto* scene =
+        std::find_if(std::begin(scenes), std::end(scenes), [&](const Scene& s) { return s.curve == curve; });
     return Play(labelled_curves(folder, curve).front(), *scene).until_tight();
 }
 

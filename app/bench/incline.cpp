@@ -34,17 +34,22 @@ struct Slope {
 
     std::vector<Vec3> nodes() const {
         std::vector<Vec3> found;
-        for (int i = 0; i <= incline_links; ++i) found.push_back(0.5 * default_diameter * up() + i * of.link * default_diameter * (of.across ? Vec3::UnitY() : down()));
+        for (int i = 0; i <= incline_links; ++i)
+            found.push_back(0.5 * default_diameter * up() +
+                            i * of.link * default_diameter * (of.across ? Vec3::UnitY() : down()));
         return found;
     }
 
     // One triangle, so large that no slide comes near its sides.
     sim::geometry::TriangleTree plane() const {
         constexpr double far = 1;  // [m]
-        return sim::geometry::TriangleTree({{-far * down() - far * Vec3::UnitY(), 2 * far * down(), -far * down() + far * Vec3::UnitY()}});
+        return sim::geometry::TriangleTree(
+            {{-far * down() - far * Vec3::UnitY(), 2 * far * down(), -far * down() + far * Vec3::UnitY()}});
     }
 
-    void tick() { thread.tick({.holds = {}, .hold_owners = {}, .capsules = {}, .surface = &surface, .seconds = of.tick}); }
+    void tick() {
+        thread.tick({.holds = {}, .hold_owners = {}, .capsules = {}, .surface = &surface, .seconds = of.tick});
+    }
     double middle() const { return thread.nodes()[incline_links / 2].dot(down()); }  // how far down [m]
 
     Incline of;
@@ -64,7 +69,9 @@ Compared incline_acceleration(const Incline& incline) {
     constexpr double part = 0.25;  // [s]
     Slope slope(incline);
     const int ticks = static_cast<int>(std::lround(part / incline.tick));
-    const auto run = [&](int count) { for (int i = 0; i < count; ++i) slope.tick(); };
+    const auto run = [&](int count) {
+        for (int i = 0; i < count; ++i) slope.tick();
+    };
     const auto speed = [&] {
         const double before = slope.middle();
         run(1);
@@ -74,7 +81,8 @@ Compared incline_acceleration(const Incline& incline) {
     const double first = speed();
     run(ticks - 1);
     const double angle = slope.angle();
-    return {(speed() - first) / (ticks * incline.tick), gravity * (std::sin(angle) - incline.friction * std::cos(angle))};
+    return {(speed() - first) / (ticks * incline.tick),
+            gravity * (std::sin(angle) - incline.friction * std::cos(angle))};
 }
 
 double incline_drift(const Incline& incline, double seconds) {
@@ -89,19 +97,31 @@ double incline_drift(const Incline& incline, double seconds) {
 }
 
 static void add_rows(std::vector<Row>& rows, const Incline& on, double seconds) {
-    const std::string id = "elastic-incline-mu" + whole(10 * on.friction) + "-link" + whole(on.link) + "-tick" + whole(1000 * on.tick) + (on.across ? "-across" : "");
-    const std::string what = "elastic thread on an incline, friction 0." + whole(10 * on.friction) + ", links of " + whole(on.link) + " D, ticks of "
-        + whole(1000 * on.tick) + " ms, " + (on.across ? "level" : "down the slope") + ", ";
+    const std::string id = "elastic-incline-mu" + whole(10 * on.friction) + "-link" + whole(on.link) + "-tick" +
+                           whole(1000 * on.tick) + (on.across ? "-across" : "");
+    const std::string what = "elastic thread on an incline, friction 0." + whole(10 * on.friction) + ", links of " +
+                             whole(on.link) + " D, ticks of " + whole(1000 * on.tick) + " ms, " +
+                             (on.across ? "level" : "down the slope") + ", ";
     Incline steep = on, flat = on;
     steep.share = 1.02, flat.share = 0.98;
     double begin = processor_time();
     const double error = 100 * std::abs(incline_acceleration(steep).error());
-    rows.push_back({.id = id + "-slides", .what = what + "1.02 of what slides: error of its acceleration", .value = error, .unit = "%", .bound = 5, .error = {},
-        .seconds = processor_time() - begin});
+    rows.push_back({.id = id + "-slides",
+                    .what = what + "1.02 of what slides: error of its acceleration",
+                    .value = error,
+                    .unit = "%",
+                    .bound = 5,
+                    .error = {},
+                    .seconds = processor_time() - begin});
     begin = processor_time();
     const double drift = incline_drift(flat, seconds);
-    rows.push_back({.id = id + "-holds", .what = what + "0.98: drift in " + whole(seconds) + " s", .value = drift, .unit = "D", .bound = 0.1, .error = {},
-        .seconds = processor_time() - begin});
+    rows.push_back({.id = id + "-holds",
+                    .what = what + "0.98: drift in " + whole(seconds) + " s",
+                    .value = drift,
+                    .unit = "D",
+                    .bound = 0.1,
+                    .error = {},
+                    .seconds = processor_time() - begin});
 }
 
 std::vector<Row> incline_rows(bool quick) {
@@ -110,7 +130,8 @@ std::vector<Row> incline_rows(bool quick) {
         for (const double tick : {1e-3, 4e-3})
             for (const double link : quick ? std::vector{1.0} : std::vector{1.0, 4.0})
                 for (const bool across : quick ? std::vector{false} : std::vector{false, true})
-                    add_rows(rows, {.friction = friction, .share = 1, .link = link, .tick = tick, .across = across}, quick ? 4 : 60);
+                    add_rows(rows, {.friction = friction, .share = 1, .link = link, .tick = tick, .across = across},
+                             quick ? 4 : 60);
     return rows;
 }
 

@@ -4,15 +4,15 @@
 #include "app/bench/rod_cases.hpp"
 #include "app/bench/row.hpp"
 
-// D21 of surgery-and-physics.md: an elastic thread of twenty links under its own weight on a plane, tilted by the angle whose
-// tangent is `share` times the friction: above 1 it slides, below it stays.
+// D21 of surgery-and-physics.md: an elastic thread of twenty links under its own weight on a plane, tilted by the angle
+// whose tangent is `share` times the friction: above 1 it slides, below it stays.
 namespace app::bench {
 
 struct Incline {
     double friction, share;
-    double link;           ///< [D]
-    double tick;           ///< [s]
-    bool across = false;   ///< It lies level, not down the slope.
+    double link;          ///< [D]
+    double tick;          ///< [s]
+    bool across = false;  ///< It lies level, not down the slope.
 };
 
 /// Between a quarter and half a second [m/s^2], and Coulomb's g (sin - friction cos).

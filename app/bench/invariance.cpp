@@ -45,11 +45,13 @@ Path pulled(const Image& image) {
     return path;
 }
 
-// Largest difference of a node from the image of the plain thread's in the first ticks, in thread diameters of the image.
+// Largest difference of a node from the image of the plain thread's in the first ticks, in thread diameters of the
+// image.
 double farthest(const Path& plain, const Path& image, const Image& of, int first_ticks) {
     double most = 0;
     for (std::size_t t = 0; t < static_cast<std::size_t>(first_ticks); ++t)
-        for (std::size_t i = 0; i < plain[t].size(); ++i) most = std::max(most, (of.map(plain[t][i]) - image[t][i]).norm());
+        for (std::size_t i = 0; i < plain[t].size(); ++i)
+            most = std::max(most, (of.map(plain[t][i]) - image[t][i]).norm());
     return most / (2 * of.scale * ThreadDef{}.radius);
 }
 
@@ -63,12 +65,13 @@ Map grown(double scale) {
 
 std::vector<Image> images() {
     const Eigen::Quaterniond turn = Eigen::Quaterniond(0.5, 0.1, -0.7, 0.3).normalized();
-    const Map mirror = [](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); },
-        turned = [turn](const Vec3& p) { return Vec3(turn * p); };
+    const Map mirror = [](const Vec3&p) { return Vec3(-p.x(), p.y(), p.z()); },
+              turned = [turn](const Vec3&p) { return Vec3(turn * p); };
     const Map same = grown(1);
     // A changed sign and a power of two round nothing: the same bits. All else rounds differently; a thousandth of the
     // thickness while the knot is loose is far above rounding, and far below what can be seen.
-    return {{"mirror", "its mirror image", mirror, 1, false, 0.0}, {"turn", "turned", turned, 1, false, 1e-3},
+    return {{"mirror", "its mirror image", mirror, 1, false, 0.0},
+            {"turn", "turned", turned, 1, false, 1e-3},
             {"scale-thousandth", "a thousandth of its size", grown(1e-3), 1e-3, false, 1e-3},
             {"scale-thousand", "a thousand times its size", grown(1e3), 1e3, false, 1e-3},
             {"scale-2-10", "1024 times its size", grown(0x1p10), 0x1p10, false, 0.0},
@@ -83,21 +86,37 @@ std::vector<Row> invariance_rows(bool) {
     for (const Image& image : images()) {
         const Stopwatch watch;
         const Path path = pulled(image);
-        const std::string id = std::string("same-") + image.id, what = std::string("an overhand pulled tight, and ")
-            + image.words + ": ";
-        rows.push_back({.id = id + "-loose", .what = what + "farthest nodes while it is loose", .value = farthest(plain, path,
-            image, while_loose), .unit = "D",
-                        .bound = image.path_bound, .error = {}, .seconds = watch.seconds()});
-        rows.push_back({.id = id + "-path", .what = what + "farthest nodes at any time", .value = farthest(plain, path, image,
-            pull_ticks), .unit = "D", .bound = {}, .error = {}});
+        const std::string id = std::string("same-") + image.id,
+                          what = std::string("an overhand pulled tight, and ") + image.words + ": ";
+        rows.push_back({.id = id + "-loose",
+                        .what = what + "farthest nodes while it is loose",
+                        .value = farthest(plain, path, image, while_loose),
+                        .unit = "D",
+                        .bound = image.path_bound,
+                        .error = {},
+                        .seconds = watch.seconds()});
+        rows.push_back({.id = id + "-path",
+                        .what = what + "farthest nodes at any time",
+                        .value = farthest(plain, path, image, pull_ticks),
+                        .unit = "D",
+                        .bound = {},
+                        .error = {}});
         // What rounding decides in a jam is which strand gives first, not how much thread the knot takes up.
         const double difference = std::abs(distance_of_ends(plain, 1) - distance_of_ends(path, image.scale));
-        rows.push_back({.id = id + "-end", .what = what + "difference in what the tight knot takes up", .value = difference,
-            .unit = "D", .bound = 0.5, .error = {}});
+        rows.push_back({.id = id + "-end",
+                        .what = what + "difference in what the tight knot takes up",
+                        .value = difference,
+                        .unit = "D",
+                        .bound = 0.5,
+                        .error = {}});
     }
     const double length = static_cast<double>(plain.back().size() - 1);  // links are a diameter each
-    rows.push_back({.id = "same-takes-up", .what = "that overhand in the end: takes up", .value = length - distance_of_ends(plain, 1),
-                    .unit = "D", .bound = {}, .error = {}});
+    rows.push_back({.id = "same-takes-up",
+                    .what = "that overhand in the end: takes up",
+                    .value = length - distance_of_ends(plain, 1),
+                    .unit = "D",
+                    .bound = {},
+                    .error = {}});
     return rows;
 }
 

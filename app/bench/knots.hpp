@@ -26,8 +26,8 @@ std::vector<Vec3> loose(Knot knot);
 /// Even pieces, each vertex drawn towards its neighbours' middle again and again: corners become bends.
 std::vector<Vec3> rounded(const std::vector<Vec3>& corners, int times, int pieces = 160);
 
-/// A square or granny knot above a loop that hangs `deep` below it, in z, where the throws are 2 wide; symmetric about its
-/// middle vertex, which is the lowest.
+/// A square or granny knot above a loop that hangs `deep` below it, in z, where the throws are 2 wide; symmetric about
+/// its middle vertex, which is the lowest.
 std::vector<Vec3> looped(Knot knot, double deep);
 
 /// That knot in a thread: its nodes [m], loose enough that no two strands touch and no bend is too tight.

@@ -10,7 +10,7 @@ namespace app::bench {
 
 /// What an open overhand takes up, pulled as tight as it goes by both ends at `speed` [m/s]; figures in diameters.
 struct Tight {
-    double least = 0;      ///< At any time.
+    double least = 0;  ///< At any time.
     double in_the_end = 0;
     Cost cost = {};
 };
@@ -20,10 +20,11 @@ Tight tight(double link_in_diameters, double friction, double speed = 0.02, doub
 /// still at a knot pulled as tight as it goes.
 double motion_at_rest(Knot knot);
 
-/// A knot above a loop is pulled tight by its tails, then the sides of the loop are pulled apart for `seconds`, tails free.
+/// A knot above a loop is pulled tight by its tails, then the sides of the loop are pulled apart for `seconds`, tails
+/// free.
 struct Held {
-    double slip = 0;          ///< How much farther the sides came apart after the first tenth of the time [D].
-    double way = 0;           ///< From the beginning [D].
+    double slip = 0;  ///< How much farther the sides came apart after the first tenth of the time [D].
+    double way = 0;   ///< From the beginning [D].
     int pass_throughs = 0;
     bool still_tied = false;
 };

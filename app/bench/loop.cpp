@@ -18,7 +18,8 @@ Loop::Loop(const ThreadDef& def, const std::vector<Vec3>& nodes) : thread(def, n
 
 TickReport Loop::pull_tails(double step) {
     const Vec3 on = step * (at(held[3]) - at(held[0])).normalized();
-    const Hold holds[] = {{held[0], at(held[0]) - on}, {held[1], at(held[1])}, {held[2], at(held[2])}, {held[3], at(held[3]) + on}};
+    const Hold holds[] = {
+        {held[0], at(held[0]) - on}, {held[1], at(held[1])}, {held[2], at(held[2])}, {held[3], at(held[3]) + on}};
     const int owners[] = {0, 2, 3, 1};
     return thread.tick({holds, owners, {}, nullptr});
 }

@@ -8,8 +8,8 @@ namespace app::bench {
 /// How deep the loop is below the knot, where its throws are 2 wide (knots.hpp).
 constexpr double loop_depth = 25;
 
-/// A thread with a knot above a loop, and the four nodes where it is held: its ends, and the sides of the loop nine tenths of
-/// the way up to the knot.
+/// A thread with a knot above a loop, and the four nodes where it is held: its ends, and the sides of the loop nine
+/// tenths of the way up to the knot.
 struct Loop {
     /// `nodes`: from looped(..., loop_depth).
     Loop(const ThreadDef& def, const std::vector<Vec3>& nodes);

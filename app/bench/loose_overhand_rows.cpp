@@ -10,16 +10,19 @@ namespace app::bench {
 namespace {
 
 std::string id_of(const LooseOverhand& knot) {
-    return (knot.half_turns > 3 ? "double" : "loose") + ("-overhand-" + whole(knot.loop)) + "-mu" + whole(10 * knot.friction) + "-n" + whole(knot.links);
+    return (knot.half_turns > 3 ? "double" : "loose") + ("-overhand-" + whole(knot.loop)) + "-mu" +
+           whole(10 * knot.friction) + "-n" + whole(knot.links);
 }
 
 std::string words_of(const LooseOverhand& knot) {
-    return std::string(knot.half_turns > 3 ? "loose double" : "loose") + " overhand, loop of " + whole(knot.loop) + " radii, " + whole(knot.links) +
-        " links round it, friction 0." + whole(10 * knot.friction) + ": ";
+    return std::string(knot.half_turns > 3 ? "loose double" : "loose") + " overhand, loop of " + whole(knot.loop) +
+           " radii, " + whole(knot.links) + " links round it, friction 0." + whole(10 * knot.friction) + ": ";
 }
 
 // What friction adds, as it enters the law.
-double sigma(const LooseOverhand& knot, double pull, double without) { return (pull - without) / (knot.friction * std::pow(knot.eps(), 3)); }
+double sigma(const LooseOverhand& knot, double pull, double without) {
+    return (pull - without) / (knot.friction * std::pow(knot.eps(), 3));
+}
 
 // Through points (eps, value).
 struct Line {
@@ -33,8 +36,13 @@ struct Line {
 // Its error may be more than is asked: the law is the first order in eps alone.
 double add_pull(std::vector<Row>& rows, const LooseOverhand& knot) {
     const double begin = processor_time(), found = drawn_with(knot);
-    rows.push_back({.id = id_of(knot), .what = words_of(knot) + "error of the pull", .value = 100 * std::abs(found / knot.law() - 1), .unit = "%", .bound = 15, .error = {},
-        .seconds = processor_time() - begin});
+    rows.push_back({.id = id_of(knot),
+                    .what = words_of(knot) + "error of the pull",
+                    .value = 100 * std::abs(found / knot.law() - 1),
+                    .unit = "%",
+                    .bound = 15,
+                    .error = {},
+                    .seconds = processor_time() - begin});
     return found;
 }
 
@@ -52,23 +60,45 @@ void add_thin(std::vector<Row>& rows, int links) {
         }
     }
     const auto add = [&](const std::string& id, const std::string& what, double value, double reference, double slope) {
-        const std::string end = "-n" + whole(links), of = "loose overhand, " + whole(links) + " links round it: " + what;
-        rows.push_back({.id = "loose-overhand-" + id + end, .what = of + " as eps goes to 0", .value = value, .unit = "ratio", .bound = {}, .error = {}});
-        rows.push_back({.id = "loose-overhand-" + id + "-off" + end, .what = of + ", its error", .value = 100 * std::abs(value / reference - 1), .unit = "%", .bound = 15, .error = {}});
-        rows.push_back({.id = "loose-overhand-" + id + "-slope" + end, .what = of + ", how it grows with eps", .value = slope, .unit = "ratio", .bound = {}, .error = {}});
+        const std::string end = "-n" + whole(links),
+                          of = "loose overhand, " + whole(links) + " links round it: " + what;
+        rows.push_back({.id = "loose-overhand-" + id + end,
+                        .what = of + " as eps goes to 0",
+                        .value = value,
+                        .unit = "ratio",
+                        .bound = {},
+                        .error = {}});
+        rows.push_back({.id = "loose-overhand-" + id + "-off" + end,
+                        .what = of + ", its error",
+                        .value = 100 * std::abs(value / reference - 1),
+                        .unit = "%",
+                        .bound = 15,
+                        .error = {}});
+        rows.push_back({.id = "loose-overhand-" + id + "-slope" + end,
+                        .what = of + ", how it grows with eps",
+                        .value = slope,
+                        .unit = "ratio",
+                        .bound = {},
+                        .error = {}});
     };
     add("thin", "pull over the law's without friction", bending.at_zero(), 1, bending.slope());
     add("sigma-mu1", "sigma at friction 0.1", dragging[0].at_zero(), 0.492, dragging[0].slope());
     add("sigma-mu3", "sigma at friction 0.3", dragging[1].at_zero(), 0.492, dragging[1].slope());
 }
 
-// What friction adds to a double one, from what it is drawn with without; 0.345 in surgery-and-physics.md D9, from memory.
+// What friction adds to a double one, from what it is drawn with without; 0.345 in surgery-and-physics.md D9, from
+// memory.
 void add_double_sigma(std::vector<Row>& rows, double without) {
     for (const double friction : {0.1, 0.3}) {
         const LooseOverhand knot{.loop = 1920, .links = 960, .half_turns = 5, .friction = friction};
         const double begin = processor_time(), found = sigma(knot, drawn_with(knot), without);
-        rows.push_back({.id = "double-overhand-sigma-mu" + whole(10 * friction), .what = words_of(knot) + "sigma", .value = found, .unit = "ratio", .bound = {}, .error = {},
-            .seconds = processor_time() - begin});
+        rows.push_back({.id = "double-overhand-sigma-mu" + whole(10 * friction),
+                        .what = words_of(knot) + "sigma",
+                        .value = found,
+                        .unit = "ratio",
+                        .bound = {},
+                        .error = {},
+                        .seconds = processor_time() - begin});
     }
 }
 
@@ -85,10 +115,20 @@ void add_order(std::vector<Row>& rows, double loop, int links) {
         }
     }
     const auto add = [&](const char* id, const char* what, double value, double seconds) {
-        rows.push_back({.id = id, .what = what, .value = value, .unit = "ratio", .bound = 1, .must = Must::be_at_least, .error = {}, .seconds = seconds});
+        rows.push_back({.id = id,
+                        .what = what,
+                        .value = value,
+                        .unit = "ratio",
+                        .bound = 1,
+                        .must = Must::be_at_least,
+                        .error = {},
+                        .seconds = seconds});
     };
-    add("loose-overhand-turns", "loose double overhand over a single one, friction 0, 0.1 and 0.3: least ratio of pulls", turns, processor_time() - begin);
-    add("loose-overhand-frictions", "loose overhands, single and double, friction 0.1 over 0 and 0.3 over 0.1: least ratio of pulls", drags, 0);
+    add("loose-overhand-turns",
+        "loose double overhand over a single one, friction 0, 0.1 and 0.3: least ratio of pulls", turns,
+        processor_time() - begin);
+    add("loose-overhand-frictions",
+        "loose overhands, single and double, friction 0.1 over 0 and 0.3 over 0.1: least ratio of pulls", drags, 0);
 }
 
 }  // namespace

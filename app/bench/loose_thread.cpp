@@ -32,7 +32,9 @@ bool fits(const std::vector<Vec3>& nodes, double link, double radius) {
 
 }  // namespace
 
-Loose loose_thread(Knot knot, int links, double link, double radius) { return loose_thread(loose(knot), links, link, radius); }
+Loose loose_thread(Knot knot, int links, double link, double radius) {
+    return loose_thread(loose(knot), links, link, radius);
+}
 
 Loose loose_thread(const std::vector<Vec3>& path, int links, double link, double radius) {
     const double core = length_of(path), least_tail = std::max(6 * link, 4 * radius);

@@ -7,7 +7,9 @@
 namespace app::bench {
 
 // Bytes in use on the heap.
-static double heap() { return static_cast<double>(mallinfo2().uordblks); }
+static double heap() {
+    return static_cast<double>(mallinfo2().uordblks);
+}
 
 // Grown between the first round of the same motion and the last, for rounds of 1000 ticks.
 static Row while_moving(int rounds) {
@@ -22,9 +24,14 @@ static Row while_moving(int rounds) {
     const double before = heap();
     for (int i = 1; i < rounds; ++i) round();
     const double grown = heap() - before;
-    return {.id = "memory-moving", .what = "heap grown after the first second of " + std::to_string(rounds)
-        + " s of pulling an overhand and letting it go",
-            .value = grown, .unit = "bytes", .bound = 0, .error = {}, .seconds = watch.seconds()};
+    return {.id = "memory-moving",
+            .what = "heap grown after the first second of " + std::to_string(rounds) +
+                    " s of pulling an overhand and letting it go",
+            .value = grown,
+            .unit = "bytes",
+            .bound = 0,
+            .error = {},
+            .seconds = watch.seconds()};
 }
 
 static void at_rest(int ticks, std::vector<Row>& rows) {
@@ -37,10 +44,20 @@ static void at_rest(int ticks, std::vector<Row>& rows) {
     const Stopwatch watch;
     for (int i = 0; i < ticks; ++i) pull.by(thread, 0);
     const double seconds = watch.seconds(), grown = heap() - before;
-    rows.push_back({.id = "memory-rest", .what = "heap grown in " + std::to_string(ticks) + " ticks at rest", .value = grown,
-                    .unit = "bytes", .bound = 0, .error = {}, .seconds = seconds});
-    rows.push_back({.id = "rest-tick", .what = "tick at rest, tight overhand of 200 links or more",
-                    .value = 1e6 * seconds / ticks, .unit = "us", .bound = {}, .error = {}, .seconds = seconds});
+    rows.push_back({.id = "memory-rest",
+                    .what = "heap grown in " + std::to_string(ticks) + " ticks at rest",
+                    .value = grown,
+                    .unit = "bytes",
+                    .bound = 0,
+                    .error = {},
+                    .seconds = seconds});
+    rows.push_back({.id = "rest-tick",
+                    .what = "tick at rest, tight overhand of 200 links or more",
+                    .value = 1e6 * seconds / ticks,
+                    .unit = "us",
+                    .bound = {},
+                    .error = {},
+                    .seconds = seconds});
 }
 
 std::vector<Row> memory_rows(bool quick) {

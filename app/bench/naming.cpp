@@ -39,8 +39,11 @@ struct Tally {
         const bool has_form = curve.label.contains("form") && curve.label["form"].is_string();
         const LinkName found = name(components);
         ++all;
-        if (found.name.knot == "unknown" || !found.name.certain) ++unknown;
-        else wrong += found.name.knot != expected.name.knot || found.name.surgical != expected.name.surgical || found.name.throws != expected.name.throws || (has_form && found.name.flat != expected.name.flat);
+        if (found.name.knot == "unknown" || !found.name.certain)
+            ++unknown;
+        else
+            wrong += found.name.knot != expected.name.knot || found.name.surgical != expected.name.surgical ||
+                     found.name.throws != expected.name.throws || (has_form && found.name.flat != expected.name.flat);
     }
 };
 
@@ -48,7 +51,13 @@ Row count(std::string id, std::string what, double value, double bound) {
     return {.id = std::move(id), .what = std::move(what), .value = value, .unit = "count", .bound = bound, .error = {}};
 }
 Row share(std::string id, std::string what, double value, double bound) {
-    return {.id = std::move(id), .what = std::move(what), .value = value, .unit = "share", .bound = bound, .must = Must::be_at_least, .error = {}};
+    return {.id = std::move(id),
+            .what = std::move(what),
+            .value = value,
+            .unit = "share",
+            .bound = bound,
+            .must = Must::be_at_least,
+            .error = {}};
 }
 Row time(std::string id, std::string what, double us, std::optional<double> bound) {
     return {.id = std::move(id), .what = std::move(what), .value = us, .unit = "us", .bound = bound, .error = {}};
@@ -56,7 +65,8 @@ Row time(std::string id, std::string what, double us, std::optional<double> boun
 
 void add_wrong(Suite& suite, const std::string& id, const std::string& what, const Tally& tally) {
     const std::string words = std::to_string(tally.all) + ' ' + what;
-    suite.rows.push_back(count(id + "-wrong", words + ": another name, surgically too, other throws or form", tally.wrong, 0));
+    suite.rows.push_back(
+        count(id + "-wrong", words + ": another name, surgically too, other throws or form", tally.wrong, 0));
     suite.rows.push_back(count(id + "-unknown", words + ": unknown or not certain", tally.unknown, 0));
 }
 
@@ -80,7 +90,9 @@ std::vector<Component> cut_finer(std::vector<Component> components, std::uint64_
         for (std::size_t i = 0; i + 1 < c.vertices.size(); ++i) {
             finer.push_back(c.vertices[i]);
             const int pieces = 1 + random.below(3);
-            for (int k = 1; k < pieces; ++k) finer.push_back(c.vertices[i] + (k - 0.5 * random.between(0, 1)) / pieces * (c.vertices[i + 1] - c.vertices[i]));
+            for (int k = 1; k < pieces; ++k)
+                finer.push_back(c.vertices[i] +
+                                (k - 0.5 * random.between(0, 1)) / pieces * (c.vertices[i + 1] - c.vertices[i]));
         }
         finer.push_back(c.vertices.back());
         c.vertices = std::move(finer);
@@ -117,19 +129,24 @@ void add_turned(Suite& suite, const std::vector<LabelledCurve>& curves, bool qui
     for (const LabelledCurve& curve : curves) {
         if (!curve.is_definite()) continue;
         const LinkName expected = sim::knot::name_link(curve.components);
-        for (int i = 0; i < turns; ++i) tally.expect(turned(curve.components, static_cast<std::uint64_t>(i)), expected, curve);
-        for (int i = 0; i < cuts; ++i) finer.expect(cut_finer(curve.components, static_cast<std::uint64_t>(i)), expected, curve);
+        for (int i = 0; i < turns; ++i)
+            tally.expect(turned(curve.components, static_cast<std::uint64_t>(i)), expected, curve);
+        for (int i = 0; i < cuts; ++i)
+            finer.expect(cut_finer(curve.components, static_cast<std::uint64_t>(i)), expected, curve);
     }
     add_wrong(suite, "turned", "labelled curves in any attitude", tally);
-    suite.rows.push_back(time("turned-p99", "labelled curves in any attitude: 99 of 100", percentile(tally.us, 0.99), {}));
+    suite.rows.push_back(
+        time("turned-p99", "labelled curves in any attitude: 99 of 100", percentile(tally.us, 0.99), {}));
     add_wrong(suite, "finer", "labelled curves with edges cut anyhow", finer);
 
-    constexpr const char* twelve[] = {"p100", "p127", "p102", "p103", "p105", "p109", "p111", "p113", "p115", "p117", "p126", "p129"};
+    constexpr const char* twelve[] = {"p100", "p127", "p102", "p103", "p105", "p109",
+                                      "p111", "p113", "p115", "p117", "p126", "p129"};
     Tally knots;
     for (const LabelledCurve& curve : curves) {
         if (std::find(std::begin(twelve), std::end(twelve), curve.id) == std::end(twelve)) continue;
         const LinkName expected = sim::knot::name_link(curve.components);
-        for (int i = 0; i < many; ++i) knots.expect(turned(curve.components, static_cast<std::uint64_t>(i)), expected, curve);
+        for (int i = 0; i < many; ++i)
+            knots.expect(turned(curve.components, static_cast<std::uint64_t>(i)), expected, curve);
     }
     add_wrong(suite, "twelve", "attitudes of twelve surgical and working knots", knots);
 }
@@ -150,9 +167,11 @@ std::vector<Component> polygon(std::uint64_t seed) {
 void add_polygons(Suite& suite, bool quick) {
     const int polygons = quick ? 20 : 1000;
     Tally tally;
-    for (int seed = 0; seed < polygons; ++seed) tally.unknown += tally.name(polygon(static_cast<std::uint64_t>(seed))).name.knot == "unknown";
+    for (int seed = 0; seed < polygons; ++seed)
+        tally.unknown += tally.name(polygon(static_cast<std::uint64_t>(seed))).name.knot == "unknown";
     const std::string words = std::to_string(polygons) + " random polygons of 20 to 2000 vertices: ";
-    suite.rows.push_back(share("polygons-named", words + "named", 1 - tally.unknown / static_cast<double>(polygons), 0));
+    suite.rows.push_back(
+        share("polygons-named", words + "named", 1 - tally.unknown / static_cast<double>(polygons), 0));
     suite.rows.push_back(time("polygons-p99", words + "99 of 100", percentile(tally.us, 0.99), 50000));
     suite.rows.push_back(time("polygons-worst", words + "slowest", percentile(tally.us, 1), {}));
 }
@@ -166,7 +185,8 @@ void add_thread(Suite& suite) {
     const std::vector<Component> thread{{{loop.thread.nodes().begin(), loop.thread.nodes().end()}, false}};
     Tally tally;
     for (int i = 0; i < times; ++i) tally.name(thread);
-    suite.rows.push_back(time("thread-300", "thread of 300 links with a tight square knot: median", percentile(tally.us, 0.5), 300));
+    suite.rows.push_back(
+        time("thread-300", "thread of 300 links with a tight square knot: median", percentile(tally.us, 0.5), 300));
 }
 
 void add_capsized(Suite& suite, bool quick) {
@@ -177,12 +197,14 @@ void add_capsized(Suite& suite, bool quick) {
         capsized += !sim::knot::name_knot(pulled(Pull::one_strand, static_cast<std::uint64_t>(seed))).flat;
     }
     const std::string words = std::to_string(pulls) + " square and granny knots, ";
-    suite.rows.push_back(share("flat-right", words + "pulled tight by both tails: called flat", flat / static_cast<double>(pulls), 0.95));
-    suite.rows.push_back(share("capsized-right", words + "one strand pulled straight: called capsized", capsized / static_cast<double>(pulls), 0.95));
+    suite.rows.push_back(share("flat-right", words + "pulled tight by both tails: called flat",
+                               flat / static_cast<double>(pulls), 0.95));
+    suite.rows.push_back(share("capsized-right", words + "one strand pulled straight: called capsized",
+                               capsized / static_cast<double>(pulls), 0.95));
 }
 
-// Names of knots being tied, 50 a second: none ever changes, for the thread never passes through itself and ends are led out
-// straight. A flicker is a name for less than 50 ms between two that are equal.
+// Names of knots being tied, 50 a second: none ever changes, for the thread never passes through itself and ends are
+// led out straight. A flicker is a name for less than 50 ms between two that are equal.
 void add_ties(Suite& suite, bool quick) {
     constexpr int period = 20;  // [ticks]
     const int seeds = quick ? 3 : 300;
@@ -202,14 +224,16 @@ void add_ties(Suite& suite, bool quick) {
     }
     const std::string words = std::to_string(names) + " names of " + std::to_string(seeds) + " seeded ties: ";
     suite.rows.push_back(count("ties-other", words + "others than at first, or not certain", other, 0));
-    suite.rows.push_back(count("ties-flickers", words + "there between two equal ones for less than 50 ms", flickers, 0));
+    suite.rows.push_back(
+        count("ties-flickers", words + "there between two equal ones for less than 50 ms", flickers, 0));
 }
 
 // The seed's figures, and the other hitches, tied by the simulator.
 void add_on_bar(Suite& suite, const std::filesystem::path& folder) {
     for (const std::string& curve : curves_on_bar()) {
         const OnBar tied = hitch_on_bar(folder, curve);
-        const std::string words = tied.expected + " pulled tight round a bar: other names of " + std::to_string(tied.names);
+        const std::string words =
+            tied.expected + " pulled tight round a bar: other names of " + std::to_string(tied.names);
         suite.rows.push_back(count("on-bar-" + tied.curve, words, tied.other + tied.pass_throughs, 0));
     }
 }
@@ -224,7 +248,8 @@ void add_growth(Suite& suite, const std::vector<LabelledCurve>& curves) {
             Tally tally;
             for (int k = 0; k < times; ++k) tally.name(components);
             const std::string n = std::to_string(components[0].vertices.size());
-            suite.rows.push_back(time("square-" + n, "tight square knot of " + n + " vertices", percentile(tally.us, 0), {}));
+            suite.rows.push_back(
+                time("square-" + n, "tight square knot of " + n + " vertices", percentile(tally.us, 0), {}));
         }
     }
 }

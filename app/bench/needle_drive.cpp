@@ -11,13 +11,20 @@ using tissue::Vec3;
 Arc Swing::at(double turn) const {
     const Vec3 onto = -bend;  // from the centre to the tip at 0
     const double tail = turn - angle, sin = std::sin(tail), cos = std::cos(tail);
-    return {.centre = point + radius * bend, .to_tail = cos * onto + sin * way, .onwards = cos * way - sin * onto, .radius = radius, .angle = angle, .wire = wire};
+    return {.centre = point + radius * bend,
+            .to_tail = cos * onto + sin * way,
+            .onwards = cos * way - sin * onto,
+            .radius = radius,
+            .angle = angle,
+            .wire = wire};
 }
 
-Stitching::Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube, const tissue::Solver& solver) : mesh(make_tube(tube)), tissue({}, mesh, solver), skin(mesh), bites(def, mesh) {
+Stitching::Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube, const tissue::Solver& solver)
+    : mesh(make_tube(tube)), tissue({}, mesh, solver), skin(mesh), bites(def, mesh) {
     const int nodes = static_cast<int>(mesh.nodes.size()), section = tube.around * (tube.through + 1);
     for (int i = 0; i < nodes; ++i)
-        if (i >= nodes - section || (i < section && mesh.nodes[static_cast<std::size_t>(i)].y() < 0)) holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
+        if (i >= nodes - section || (i < section && mesh.nodes[static_cast<std::size_t>(i)].y() < 0))
+            holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
 }
 
 void Stitching::go(const Arc* needle) {
@@ -68,14 +75,16 @@ Driven drive_through(const tissue::BiteDef& def, const tissue::TubeDef& tube, do
             if (event.kind == tissue::BiteEvent::through) driven.exit = event.force;
             driven.drawn |= event.kind == tissue::BiteEvent::drawn;
         }
-        if (scene.bites.bites().empty() || scene.bites.bites().front().state != tissue::BiteState::open || driven.drawn) continue;
+        if (scene.bites.bites().empty() || scene.bites.bites().front().state != tissue::BiteState::open || driven.drawn)
+            continue;
         const tissue::Bite& bite = scene.bites.bites().front();
         for (std::size_t k = 0; k < 2; ++k) {
             const tissue::BiteEnd& end = k == 0 ? bite.entry : bite.exit;
             const auto off = off_circle(needle, scene.tissue.position(end.at));
             const tissue::Tetrahedron& tet = scene.mesh.tetrahedra[static_cast<std::size_t>(end.at.tetrahedron)];
             Vec3 lies = Vec3::Zero();
-            for (std::size_t c = 0; c < 4; ++c) lies += end.at.weights[c] * scene.mesh.nodes[static_cast<std::size_t>(tet[c])];
+            for (std::size_t c = 0; c < 4; ++c)
+                lies += end.at.weights[c] * scene.mesh.nodes[static_cast<std::size_t>(tet[c])];
             if (open_for == settled) first[k] = off;
             if (open_for > settled) driven.aside = std::max(driven.aside, (off - first[k]).norm());
             driven.off = std::max(driven.off, off_circle(needle, lies).norm());

@@ -5,17 +5,18 @@
 // A vessel that is held, and a needle that is driven through its wall.
 namespace app::bench {
 
-/// A needle that turns about its circle's centre: its tip goes through `point` when turn is 0, that way; bent towards `bend`, across the way.
+/// A needle that turns about its circle's centre: its tip goes through `point` when turn is 0, that way; bent towards
+/// `bend`, across the way.
 struct Swing {
     tissue::Vec3 point, way, bend;
-    double radius = 3.95e-3, angle = 2.356, wire = 0.1e-3;   // of a BV-1
+    double radius = 3.95e-3, angle = 2.356, wire = 0.1e-3;  // of a BV-1
 
-    tissue::Arc at(double turn) const;                        ///< [rad]
+    tissue::Arc at(double turn) const;  ///< [rad]
 };
 
 /// Wall, skin and bites stepped together.
 struct Stitching {
-    double step = 2e-3;                                       ///< [s]
+    double step = 2e-3;  ///< [s]
 
     /// The far end is held, and the half of the cut end that is below, y < 0.
     explicit Stitching(const tissue::BiteDef& def, const tissue::TubeDef& tube = {}, const tissue::Solver& solver = {});
@@ -34,12 +35,14 @@ struct Stitching {
     std::vector<tissue::Hold> holds;
 };
 
-/// A needle driven along its own arc, at `speed` [m/s], from outside into the lumen at some 1.5 mm from the cut, and all the way through.
+/// A needle driven along its own arc, at `speed` [m/s], from outside into the lumen at some 1.5 mm from the cut, and
+/// all the way through.
 struct Driven {
-    double entry = 0, exit = 0;                               ///< Forces that the skins gave way at [N]; none: 0.
-    double aside = 0;                                         ///< How far the wall moves at most across the wire at its holes from 50 ms after both are open [m].
-    double off = 0;                                           ///< How far where it was pierced is off the wire's circle, when nothing pulls [m].
-    bool drawn = false;                                       ///< All of it is through.
+    double entry = 0, exit = 0;  ///< Forces that the skins gave way at [N]; none: 0.
+    double aside =
+        0;  ///< How far the wall moves at most across the wire at its holes from 50 ms after both are open [m].
+    double off = 0;      ///< How far where it was pierced is off the wire's circle, when nothing pulls [m].
+    bool drawn = false;  ///< All of it is through.
 };
 Driven drive_through(const tissue::BiteDef& def, const tissue::TubeDef& tube, double speed, bool supported);
 

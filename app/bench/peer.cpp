@@ -18,7 +18,8 @@ namespace {
 std::string all_from(int descriptor) {
     std::string text;
     char piece[4096];
-    for (ssize_t got; (got = read(descriptor, piece, sizeof piece)) > 0;) text.append(piece, static_cast<std::size_t>(got));
+    for (ssize_t got; (got = read(descriptor, piece, sizeof piece)) > 0;)
+        text.append(piece, static_cast<std::size_t>(got));
     return text;
 }
 
@@ -53,7 +54,9 @@ Peer::Peer(const std::string& name) {
     program_ = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "tests" / ("rope_" + name);
 }
 
-bool Peer::there() const { return access(program_.c_str(), X_OK) == 0; }
+bool Peer::there() const {
+    return access(program_.c_str(), X_OK) == 0;
+}
 
 PullFigures Peer::pull(int links, double speed) const try {
     return figures_from(nlohmann::json::parse(output_of({program_, std::to_string(links), std::to_string(speed)})));

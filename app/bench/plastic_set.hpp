@@ -11,13 +11,15 @@ namespace app::bench {
 /// Strain at which polypropylene yields: the middle of 3 to 5 % [surgery-and-physics.md, C].
 constexpr double polypropylene_yield = 0.04;
 
-/// A straight rod laid round a mandrel, its centre line `diameters` from the axis, and let go of: the curvature that it keeps [1/D]. Reference:
-/// a round section of elastic and perfectly plastic fibres.
+/// A straight rod laid round a mandrel, its centre line `diameters` from the axis, and let go of: the curvature that it
+/// keeps [1/D]. Reference: a round section of elastic and perfectly plastic fibres.
 Compared springback(double diameters, double yield_strain);
 
-/// An overhand knot pulled tight by its ends with `pull` [B/D^2], which are let go of evenly in half a second, and a second later.
+/// An overhand knot pulled tight by its ends with `pull` [B/D^2], which are let go of evenly in half a second, and a
+/// second later.
 struct LetGoOverhand {
-    double tight, after;    ///< Thread between the first and the last place where strands touch [D]; 0: it is no knot any more.
+    double tight,
+        after;  ///< Thread between the first and the last place where strands touch [D]; 0: it is no knot any more.
     int pass_throughs;
 };
 LetGoOverhand let_go_overhand(double pull, double yield_strain);

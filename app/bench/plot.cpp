@@ -23,8 +23,10 @@ std::string px(double value) {
     return text;
 }
 
-std::string text(double x, double y, const std::string& anchor, const std::string& words, const std::string& more = "") {
-    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + words + "</text>\n";
+std::string text(double x, double y, const std::string& anchor, const std::string& words,
+                 const std::string& more = "") {
+    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" + words +
+           "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2) {
@@ -72,8 +74,8 @@ class Drawing {
     }
 
     std::string drawn() {
-        out_ += "<rect x=\"" + px(x0_) + "\" y=\"" + px(plot_.top) + "\" width=\"" + px(plot_.width) + "\" height=\"" + px(plot_.height) +
-                "\" fill=\"none\" stroke=\"#333\"/>\n";
+        out_ += "<rect x=\"" + px(x0_) + "\" y=\"" + px(plot_.top) + "\" width=\"" + px(plot_.width) + "\" height=\"" +
+                px(plot_.height) + "\" fill=\"none\" stroke=\"#333\"/>\n";
         draw_axes();
         for (std::size_t i = 0; i < chart_.series.size(); ++i) draw(chart_.series[i], i);
         return out_;
@@ -98,7 +100,8 @@ class Drawing {
         }
         out_ += text(x0_ + plot_.width / 2, under + 38, "middle", chart_.x_title);
         const std::string centre = px(x0_ - 62) + " " + px(plot_.top + plot_.height / 2);
-        out_ += text(x0_ - 62, plot_.top + plot_.height / 2, "middle", chart_.y_title, " transform=\"rotate(-90 " + centre + ")\"");
+        out_ += text(x0_ - 62, plot_.top + plot_.height / 2, "middle", chart_.y_title,
+                     " transform=\"rotate(-90 " + centre + ")\"");
     }
 
     void draw(const Series& series, std::size_t number) {
@@ -113,7 +116,8 @@ class Drawing {
             out_ += text(x(p.x), y(p.y) + beside[number % std::size(beside)], "middle", p.label,
                          " font-size=\"9\" fill=\"" + colour + "\"");
         }
-        out_ += "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\"" + (series.dashed ? " stroke-dasharray=\"5 3\"" : "") + "/>\n";
+        out_ += "<polyline points=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\"" +
+                (series.dashed ? " stroke-dasharray=\"5 3\"" : "") + "/>\n";
         const double row = plot_.top + 5 - 13 * static_cast<double>(chart_.series.size() - number);
         out_ += text(x0_ + plot_.width, row, "end", series.name, " fill=\"" + colour + "\"");
     }
@@ -138,12 +142,13 @@ std::string svg(const std::vector<Chart>& charts) {
     const double large = charts.size() == 1 ? 2 : 1;
     const Plot plot{260 * large, 220 * large, 7 + 13 * static_cast<double>(names)};
     const double pitch = left_room + plot.width + room_between;
-    const std::string size = "width=\"" + px(pitch * static_cast<double>(charts.size()) + room_between) + "\" height=\"" +
-                             px(plot.top + plot.height + bottom_room) + "\"";
+    const std::string size = "width=\"" + px(pitch * static_cast<double>(charts.size()) + room_between) +
+                             "\" height=\"" + px(plot.top + plot.height + bottom_room) + "\"";
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size +
                       " font-family=\"sans-serif\" font-size=\"12\" fill=\"#333\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-    for (std::size_t i = 0; i < charts.size(); ++i) out += Drawing(charts[i], left_room + pitch * static_cast<double>(i), plot).drawn();
+    for (std::size_t i = 0; i < charts.size(); ++i)
+        out += Drawing(charts[i], left_room + pitch * static_cast<double>(i), plot).drawn();
     return out + "</svg>\n";
 }
 

@@ -10,19 +10,19 @@ namespace app::bench {
 
 /// Who moves a thread, and how finely.
 struct Setting {
-    bool elastic;    ///< Else ftl.
-    double link;     ///< Its length in diameters, or how many there are, as the problem says.
-    double tick;     ///< [s]
+    bool elastic;  ///< Else ftl.
+    double link;   ///< Its length in diameters, or how many there are, as the problem says.
+    double tick;   ///< [s]
 };
 
 /// What theory knows the answer to, for a thread that is moved by either model.
 struct Problem {
-    std::string id, what;          ///< "capstan-half"
-    std::string links;             ///< What `link` counts.
-    std::vector<double> link;      ///< From coarse to fine.
-    std::vector<double> ticks;     ///< [s], from long to short.
+    std::string id, what;       ///< "capstan-half"
+    std::string links;          ///< What `link` counts.
+    std::vector<double> link;   ///< From coarse to fine.
+    std::vector<double> ticks;  ///< [s], from long to short.
     std::function<Compared(const Setting&, Cost&)> with;
-    bool ranks = false;            ///< Theory has no number, and only says that what is found is above 1.
+    bool ranks = false;  ///< Theory has no number, and only says that what is found is above 1.
 };
 std::vector<Problem> problems();
 

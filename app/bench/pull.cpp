@@ -11,8 +11,8 @@ namespace app::bench {
 
 namespace {
 
-constexpr double waiting = 0.5;       // [s] before the pull, when it is nearly tight, and in the end
-constexpr double far_apart = 1.05;    // of the rope's length: where the hands end
+constexpr double waiting = 0.5;     // [s] before the pull, when it is nearly tight, and in the end
+constexpr double far_apart = 1.05;  // of the rope's length: where the hands end
 
 enum class Phase { pull, rest, over };
 
@@ -60,7 +60,9 @@ class Run {
         PullFigures& m = measured_;
         // A rope that once was no number stays known as such.
         const auto raise = [](double& most, double value) { most = value > most || std::isnan(value) ? value : most; };
-        const auto lower = [](double& least, double value) { least = value < least || std::isnan(value) ? value : least; };
+        const auto lower = [](double& least, double value) {
+            least = value < least || std::isnan(value) ? value : least;
+        };
         const double stretch = gauge_.stretch(nodes_), kappa = gauge_.kappa(nodes_);
         if (phase == Phase::pull) raise(m.stretch_pull, stretch);
         if (phase == Phase::rest) m.stretch_rest = stretch, m.kappa_rest = kappa;  // the last one stays
@@ -74,7 +76,8 @@ class Run {
     void add_times() {
         PullFigures& m = measured_;
         m.tick_p50 = percentile(all_, 0.5), m.tick_p99 = percentile(all_, 0.99), m.tick_max = percentile(all_, 1);
-        m.tight_p50 = percentile(tight_, 0.5), m.tight_p99 = percentile(tight_, 0.99), m.tight_max = percentile(tight_, 1);
+        m.tight_p50 = percentile(tight_, 0.5), m.tight_p99 = percentile(tight_, 0.99),
+        m.tight_max = percentile(tight_, 1);
         m.tick_mean = 0;
         for (const double us : all_) m.tick_mean += us / static_cast<double>(all_.size());
     }
@@ -90,6 +93,8 @@ class Run {
 
 }  // namespace
 
-PullFigures pull(Rope& rope, const PullDef& def, const std::vector<Vec3>& start) { return Run(rope, def, start).figures(); }
+PullFigures pull(Rope& rope, const PullDef& def, const std::vector<Vec3>& start) {
+    return Run(rope, def, start).figures();
+}
 
 }  // namespace app::bench

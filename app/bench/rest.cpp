@@ -26,15 +26,20 @@ double motion_at_rest(Knot knot) {
 
 std::vector<Row> rest_rows(bool quick) {
     std::vector<Row> rows;
-    for (const Knot knot : quick ? std::vector{Knot::trefoil, Knot::square} : std::vector{Knot::trefoil, Knot::square,
-        Knot::granny, Knot::surgeons}) {
+    for (const Knot knot : quick ? std::vector{Knot::trefoil, Knot::square}
+                                 : std::vector{Knot::trefoil, Knot::square, Knot::granny, Knot::surgeons}) {
         const Stopwatch watch;
         std::string id = known(knot).words;
         std::erase(id, '\'');
         const double motion = motion_at_rest(knot);
-        rows.push_back({.id = "rest-" + id, .what = std::string("at rest after a second, tight ") + known(knot).words
-            + ": RMS node motion a tick",
-                        .value = motion, .unit = "R", .bound = 1e-3, .error = {}, .seconds = watch.seconds()});
+        rows.push_back(
+            {.id = "rest-" + id,
+             .what = std::string("at rest after a second, tight ") + known(knot).words + ": RMS node motion a tick",
+             .value = motion,
+             .unit = "R",
+             .bound = 1e-3,
+             .error = {},
+             .seconds = watch.seconds()});
     }
     return rows;
 }

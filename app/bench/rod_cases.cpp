@@ -19,12 +19,20 @@ using std::numbers::pi;
 
 // Bending stiffness 1, of links of length 1 over `links` so stiff that they stretch by a millionth of what they bend.
 RodDef unit_rod(double poisson = 0.3, double slender = 1e-3) {
-    return {.radius = slender, .young = 4 / (pi * std::pow(slender, 4)), .poisson = poisson, .density = 0, .axial_over_bending = 0};
+    return {.radius = slender,
+            .young = 4 / (pi * std::pow(slender, 4)),
+            .poisson = poisson,
+            .density = 0,
+            .axial_over_bending = 0};
 }
 
 RodDef hanging(double gravity) {  // of weight 1 and hardly any bending stiffness: 1e-9 of weight times length squared
     constexpr double radius = 1e-7;
-    return {.radius = radius, .young = 4e-9 / (pi * std::pow(radius, 4)), .density = 1 / (pi * radius * radius), .axial_over_bending = 0, .gravity = {0, 0, -gravity}};
+    return {.radius = radius,
+            .young = 4e-9 / (pi * std::pow(radius, 4)),
+            .density = 1 / (pi * radius * radius),
+            .axial_over_bending = 0,
+            .gravity = {0, 0, -gravity}};
 }
 
 std::vector<Vec3> straight(int links, double length, double from = 0) {
@@ -35,7 +43,8 @@ std::vector<Vec3> straight(int links, double length, double from = 0) {
 
 void settle(Rod& rod, const sim::thread::RodInput& input) {
     constexpr int tries = 20;
-    for (int i = 0; i < tries && !rod.step(input, 0).settled; ++i) {}
+    for (int i = 0; i < tries && !rod.step(input, 0).settled; ++i) {
+    }
 }
 
 // Clamped in the middle of its first link, 1 long from there. Height of the tip below the clamp.
@@ -50,13 +59,14 @@ double drop(int links, double tip_load, double weight) {
     return -rod.nodes().back().z();
 }
 
-// Ends brought together by a share of the length, free to turn: what they push with, over pi^2, Euler's load. From half a wave of
-// a sine as long as the rod.
+// Ends brought together by a share of the length, free to turn: what they push with, over pi^2, Euler's load. From half
+// a wave of a sine as long as the rod.
 double strut(int links, double shortening) {
     const auto wave = [&](double height) {
         constexpr int fine = 4000;
         std::vector<Vec3> path;
-        for (int i = 0; i <= fine; ++i) path.emplace_back((1 - shortening) * i / fine, height * std::sin(pi * i / fine), 0);
+        for (int i = 0; i <= fine; ++i)
+            path.emplace_back((1 - shortening) * i / fine, height * std::sin(pi * i / fine), 0);
         return path;
     };
     const auto length = [](const std::vector<Vec3>& path) {
@@ -90,7 +100,8 @@ double critical_turn(const RodDef& def, const std::vector<Vec3>& nodes, double a
 // A ring of n links, its last link on its first: round once more by one link.
 double ring(int links) {
     std::vector<Vec3> nodes;
-    for (int i = 0; i <= links + 1; ++i) nodes.emplace_back(std::cos(2 * pi * i / links) / (2 * pi), std::sin(2 * pi * i / links) / (2 * pi), 0);
+    for (int i = 0; i <= links + 1; ++i)
+        nodes.emplace_back(std::cos(2 * pi * i / links) / (2 * pi), std::sin(2 * pi * i / links) / (2 * pi), 0);
     return critical_turn(unit_rod(), nodes, 40);
 }
 
@@ -99,20 +110,30 @@ double twisted_straight(int links) {  // moment times length over stiffness
     return def.twisting_stiffness() * critical_turn(def, straight(links, links / (links - 1.0)), 40);
 }
 
-// Van der Heijden and Thompson; Bergou et al. 2008, fig. 5: 27 turns put in, then the clamps brought together by 0.3. The steepest
-// angle of the helix that the rod springs into, against its axis.
+// Van der Heijden and Thompson; Bergou et al. 2008, fig. 5: 27 turns put in, then the clamps brought together by 0.3.
+// The steepest angle of the helix that the rod springs into, against its axis.
 double helix(int links) {
     constexpr double length = 9.29, bending = 1.345, twisting = 0.789, turns = 27, slack = 0.3, radius = 2e-3;
     constexpr int steps = 60;
-    const RodDef def{.radius = radius, .young = 4 * bending / (pi * std::pow(radius, 4)), .poisson = bending / twisting - 1, .density = 0, .axial_over_bending = 0};
+    const RodDef def{.radius = radius,
+                     .young = 4 * bending / (pi * std::pow(radius, 4)),
+                     .poisson = bending / twisting - 1,
+                     .density = 0,
+                     .axial_over_bending = 0};
     const std::vector<Vec3> nodes = straight(links, length * links / (links - 1));
     Rod rod(def, nodes);
-    std::vector<Vec3> aside(nodes.size(), Vec3::Zero());  // a nudge in the middle says where it buckles, and is taken off at last
-    for (int i = 2; i < links - 1; ++i) aside[static_cast<std::size_t>(i)] = 1e-3 * std::exp(-std::pow(length * i / links - length / 2, 2)) * Vec3(0, 1, 0.3);
+    std::vector<Vec3> aside(nodes.size(),
+                            Vec3::Zero());  // a nudge in the middle says where it buckles, and is taken off at last
+    for (int i = 2; i < links - 1; ++i)
+        aside[static_cast<std::size_t>(i)] =
+            1e-3 * std::exp(-std::pow(length * i / links - length / 2, 2)) * Vec3(0, 1, 0.3);
     for (int i = 0; i <= steps; ++i) {
         const Vec3 back(-slack * i / steps, 0, 0);
-        const Hold clamps[] = {{0, nodes[0]}, {1, nodes[1]}, {links - 1, nodes[nodes.size() - 2] + back}, {links, nodes.back() + back}};
-        settle(rod, {.holds = clamps, .loads = i < steps ? std::span<const Vec3>(aside) : std::span<const Vec3>{}, .turn = 2 * pi * turns});
+        const Hold clamps[] = {
+            {0, nodes[0]}, {1, nodes[1]}, {links - 1, nodes[nodes.size() - 2] + back}, {links, nodes.back() + back}};
+        settle(rod, {.holds = clamps,
+                     .loads = i < steps ? std::span<const Vec3>(aside) : std::span<const Vec3>{},
+                     .turn = 2 * pi * turns});
     }
     double steepest = 1;
     for (int i = 0; i < links; ++i) {
@@ -143,7 +164,8 @@ Hung catenary(int links, double span) {
 // u of sinh(u) / u = 1 / span; the catenary's parameter is span / 2u.
 Hung catenary_by_formula(double span) {
     double low = 1e-3, high = 10;
-    for (int i = 0; i < 60; ++i) (std::sinh(0.5 * (low + high)) / (0.5 * (low + high)) < 1 / span ? low : high) = 0.5 * (low + high);
+    for (int i = 0; i < 60; ++i)
+        (std::sinh(0.5 * (low + high)) / (0.5 * (low + high)) < 1 / span ? low : high) = 0.5 * (low + high);
     const double a = span / (2 * low);
     return {a * (std::cosh(low) - 1), a * std::cosh(low)};
 }
@@ -154,7 +176,8 @@ double bessel_j0(double x) {
     return sum;
 }
 
-// A hanging chain swings in its first mode J0(j0 sqrt(1 - s)), of frequency j0 / 2 sqrt(g / L): the mean of four periods.
+// A hanging chain swings in its first mode J0(j0 sqrt(1 - s)), of frequency j0 / 2 sqrt(g / L): the mean of four
+// periods.
 constexpr double first_zero = 2.404825557695773, chain_gravity = 9.81;
 double swing(int links, double tick) {
     constexpr double height = 1e-3;
@@ -183,33 +206,68 @@ std::vector<RodCase> rod_cases() {
     std::vector<RodCase> cases;
     // Elastica, by elliptic integrals: load over B / L^2, and weight over B / L^2.
     for (const auto& [load, drops] : {std::pair(1, 0.30172), std::pair(10, 0.81061)})
-        cases.push_back({"cantilever-tip-" + std::to_string(load), "cantilever, tip load " + std::to_string(load) + " B/L2: drop of the tip",
-                         [=](int n) { return Compared{drop(n, load, 0), drops}; }, 0.01, 40});
+        cases.push_back({"cantilever-tip-" + std::to_string(load),
+                         "cantilever, tip load " + std::to_string(load) + " B/L2: drop of the tip",
+                         [=](int n) {
+                             return Compared{drop(n, load, 0), drops};
+                         },
+                         0.01, 40});
     for (const auto& [weight, drops] : {std::pair(1, 0.12347), std::pair(10, 0.70020), std::pair(200, 0.95677)})
-        cases.push_back({"cantilever-weight-" + std::to_string(weight), "cantilever, weight " + std::to_string(weight) + " B/L2: drop of the tip",
-                         [=](int n) { return Compared{drop(n, 0, weight), drops}; }, 0.01, 40});
+        cases.push_back({"cantilever-weight-" + std::to_string(weight),
+                         "cantilever, weight " + std::to_string(weight) + " B/L2: drop of the tip",
+                         [=](int n) {
+                             return Compared{drop(n, 0, weight), drops};
+                         },
+                         0.01, 40});
     // F / F_cr = (2 K(k) / pi)^2 at the shortening 2 - 2 E / K.
     for (const auto& [percent, force] : {std::pair(1, 1.0050), std::pair(10, 1.0530), std::pair(50, 1.3495)})
-        cases.push_back({"strut-" + std::to_string(percent), "strut shortened by " + std::to_string(percent) + " %: force over Euler's",
-                         [=](int n) { return Compared{strut(n, 0.01 * percent), force}; }, 0.03, 160});
+        cases.push_back({"strut-" + std::to_string(percent),
+                         "strut shortened by " + std::to_string(percent) + " %: force over Euler's",
+                         [=](int n) {
+                             return Compared{strut(n, 0.01 * percent), force};
+                         },
+                         0.03, 160});
     // Michell 1889, Zajac 1962: 2 pi sqrt(3) B / C, with B / C = 1.3.
     cases.push_back({"ring-turn", "flat ring: turn at which it leaves its plane",
-                     [](int n) { return Compared{ring(n), 2 * pi * std::sqrt(3.0) * 1.3}; }, 0.03, 160});
+                     [](int n) {
+                         return Compared{ring(n), 2 * pi * std::sqrt(3.0) * 1.3};
+                     },
+                     0.03, 160});
     // Greenhill 1883 with both ends clamped and no pull: the least root of x = tan x, twice.
     cases.push_back({"twisted-rod", "straight rod, clamped: moment at which it buckles",
-                     [](int n) { return Compared{twisted_straight(n), 2 * 4.493409457909064}; }, 0.03, 160});
-    cases.push_back({"helix-angle", "helix of a twisted rod let in by 3 %: steepest angle", [](int n) { return Compared{helix(n), 0.9186}; }, 0.05, 160});
+                     [](int n) {
+                         return Compared{twisted_straight(n), 2 * 4.493409457909064};
+                     },
+                     0.03, 160});
+    cases.push_back({"helix-angle", "helix of a twisted rod let in by 3 %: steepest angle",
+                     [](int n) {
+                         return Compared{helix(n), 0.9186};
+                     },
+                     0.05, 160});
     for (const int percent : {50, 90, 99}) {
         const double span = 0.01 * percent;
         const Hung right = catenary_by_formula(span);
-        const std::string id = "catenary-" + std::to_string(percent), what = "catenary over " + std::to_string(percent) + " % of its length: ";
-        cases.push_back({id + "-sag", what + "sag", [=](int n) { return Compared{catenary(n, span).sag, right.sag}; }, 0.005, 40});
-        cases.push_back({id + "-pull", what + "pull at its ends", [=](int n) { return Compared{catenary(n, span).pull, right.pull}; }, 0.005, 40});
+        const std::string id = "catenary-" + std::to_string(percent),
+                          what = "catenary over " + std::to_string(percent) + " % of its length: ";
+        cases.push_back({id + "-sag", what + "sag",
+                         [=](int n) {
+                             return Compared{catenary(n, span).sag, right.sag};
+                         },
+                         0.005, 40});
+        cases.push_back({id + "-pull", what + "pull at its ends",
+                         [=](int n) {
+                             return Compared{catenary(n, span).pull, right.pull};
+                         },
+                         0.005, 40});
     }
     for (const auto& [name, tick] : {std::pair("1000us", 1e-3), std::pair("250us", 2.5e-4)}) {
         const double period = 2 * pi / (0.5 * first_zero * std::sqrt(chain_gravity));
-        cases.push_back({"swing-" + std::string(name), "hanging chain 1 m long, ticks of " + std::string(name) + ": period of its first mode",
-                         [=, t = tick](int n) { return Compared{swing(n, t), period}; }, 0.005, 40});
+        cases.push_back({"swing-" + std::string(name),
+                         "hanging chain 1 m long, ticks of " + std::string(name) + ": period of its first mode",
+                         [=, t = tick](int n) {
+                             return Compared{swing(n, t), period};
+                         },
+                         0.005, 40});
     }
     return cases;
 }

@@ -15,21 +15,25 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double mm = 1e-3;         // [m]
+constexpr double mm = 1e-3;          // [m]
 constexpr double most_places = 6e6;  // nodes times ticks: a trace of 150 MB
 
-Vec3 vector_of(const json& list) { return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()}; }
+Vec3 vector_of(const json& list) {
+    return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
 
 std::vector<Vec3> curve_from(const std::filesystem::path& file) try {
     const auto components = assets::load_curve(file).components;
-    if (components.size() != 1 || components[0].closed) throw Misfit{"/thread/start/file", "expected one open curve in " + file.string()};
+    if (components.size() != 1 || components[0].closed)
+        throw Misfit{"/thread/start/file", "expected one open curve in " + file.string()};
     return components[0].vertices;
 } catch (const assets::AssetError& error) {
     throw Misfit{"/thread/start/file", error.what()};
 }
 
 double need(const json& start, const char* key) {
-    if (!start.contains(key)) throw Misfit{"/thread/start", "the key \"" + std::string(key) + "\" is missing, this shape needs it"};
+    if (!start.contains(key))
+        throw Misfit{"/thread/start", "the key \"" + std::string(key) + "\" is missing, this shape needs it"};
     return start[key];
 }
 
@@ -39,16 +43,21 @@ std::vector<Vec3> scalable_path(const json& start, double length, const std::fil
     if (shape == "straight") return {Vec3(-length / 2, 0, 0), Vec3(length / 2, 0, 0)};
     if (shape == "overhand") return laid_along_x(overhand_path(), length);
     const char* key = shape == "tied" ? "throws" : "file";
-    if (!start.contains(key)) throw Misfit{"/thread/start", "the key \"" + std::string(key) + "\" is missing, this shape needs it"};
-    return laid_along_x(shape == "tied" ? tied_path(start["throws"]) : curve_from(folder / start["file"].get<std::string>()), length);
+    if (!start.contains(key))
+        throw Misfit{"/thread/start", "the key \"" + std::string(key) + "\" is missing, this shape needs it"};
+    return laid_along_x(
+        shape == "tied" ? tied_path(start["throws"]) : curve_from(folder / start["file"].get<std::string>()), length);
 }
 
 std::vector<Vec3> path_in_mm(const json& start) {
     const std::string shape = start["shape"];
-    if (shape == "coil") return coil_path(need(start, "turns"), mm * need(start, "radius_mm"), mm * need(start, "pitch_mm"));
+    if (shape == "coil")
+        return coil_path(need(start, "turns"), mm * need(start, "radius_mm"), mm * need(start, "pitch_mm"));
     if (shape == "folded")
-        return folded_path(static_cast<int>(need(start, "folds")), mm * need(start, "length_mm"), mm * need(start, "gap_mm"));
-    if (!start.contains("points_mm")) throw Misfit{"/thread/start", "the key \"points_mm\" is missing, this shape needs it"};
+        return folded_path(static_cast<int>(need(start, "folds")), mm * need(start, "length_mm"),
+                           mm * need(start, "gap_mm"));
+    if (!start.contains("points_mm"))
+        throw Misfit{"/thread/start", "the key \"points_mm\" is missing, this shape needs it"};
     std::vector<Vec3> path;
     for (const json& p : start["points_mm"]) path.push_back(mm * vector_of(p));
     return path;
@@ -56,9 +65,11 @@ std::vector<Vec3> path_in_mm(const json& start) {
 
 // Cuts one link in two very unequal ones.
 void cut_short_link(std::vector<Vec3>& nodes, const json& cut) {
-    const auto link = static_cast<std::size_t>(std::min(node_of(cut["after"], static_cast<int>(nodes.size())), static_cast<int>(nodes.size()) - 2));
+    const auto link = static_cast<std::size_t>(
+        std::min(node_of(cut["after"], static_cast<int>(nodes.size())), static_cast<int>(nodes.size()) - 2));
     const double share = cut["share"];
-    nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(link) + 1, nodes[link] + share * (nodes[link + 1] - nodes[link]));
+    nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(link) + 1,
+                 nodes[link] + share * (nodes[link + 1] - nodes[link]));
 }
 
 std::vector<Vec3> nodes_of(const json& thread, const std::filesystem::path& folder) {
@@ -74,9 +85,12 @@ std::vector<Vec3> nodes_of(const json& thread, const std::filesystem::path& fold
     else
         throw Misfit{"/thread", "the key \"links\" is missing, this shape needs it"};
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
-        if (path[i] == path[i + 1]) throw Misfit{"/thread/start", "points " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same place"};
+        if (path[i] == path[i + 1])
+            throw Misfit{"/thread/start",
+                         "points " + std::to_string(i) + " and " + std::to_string(i + 1) + " are the same place"};
     if (!has_links && shape == "points") return path;
-    const int links = has_links ? thread["links"].get<int>() : std::max(1, static_cast<int>(std::lround(length_of(path) / link)));
+    const int links =
+        has_links ? thread["links"].get<int>() : std::max(1, static_cast<int>(std::lround(length_of(path) / link)));
     std::vector<Vec3> nodes = sim::geometry::resample(path, links);
     if (thread.contains("short_link")) cut_short_link(nodes, thread["short_link"]);
     return nodes;
@@ -88,9 +102,11 @@ Way way_of(const json& value, const std::string& at) {
     if (way.axis.norm() == 0) throw Misfit{at + "/axis", "expected a direction, found no length"};
     way.axis.normalize();
     for (const json& key : value["keys"]) {
-        way.keys.push_back({key["t_s"], mm * vector_of(key["by_mm"]), key["turn_deg"].get<double>() * std::numbers::pi / 180});
+        way.keys.push_back(
+            {key["t_s"], mm * vector_of(key["by_mm"]), key["turn_deg"].get<double>() * std::numbers::pi / 180});
         if (way.keys.size() > 1 && !(way.keys[way.keys.size() - 2].t < way.keys.back().t))
-            throw Misfit{at + "/keys/" + std::to_string(way.keys.size() - 1) + "/t_s", "expected later than the key before"};
+            throw Misfit{at + "/keys/" + std::to_string(way.keys.size() - 1) + "/t_s",
+                         "expected later than the key before"};
     }
     return way;
 }
@@ -100,13 +116,15 @@ HoldPlan hold_of(const json& value, const Scene& scene, const std::string& at) {
     for (const json& node : value["nodes"]) {
         plan.nodes.push_back(node_of(node, static_cast<int>(scene.nodes.size())));
         if (plan.nodes.back() >= static_cast<int>(scene.nodes.size()))
-            throw Misfit{at + "/nodes", "expected less than the thread's " + std::to_string(scene.nodes.size()) + " nodes, found " + std::to_string(plan.nodes.back())};
+            throw Misfit{at + "/nodes", "expected less than the thread's " + std::to_string(scene.nodes.size()) +
+                                            " nodes, found " + std::to_string(plan.nodes.back())};
     }
     plan.tool = value["tool"];
     plan.from = value["from_s"];
     plan.to = value.contains("to_s") ? value["to_s"].get<double>() : 2 * scene.duration;
     if (plan.to < plan.from) throw Misfit{at + "/to_s", "expected not before from_s"};
-    if (value.contains("chatter")) plan.chatter_period = value["chatter"]["period_s"], plan.chatter_phase = value["chatter"]["phase_s"];
+    if (value.contains("chatter"))
+        plan.chatter_period = value["chatter"]["period_s"], plan.chatter_phase = value["chatter"]["phase_s"];
     plan.way = way_of(value, at);
     return plan;
 }
@@ -133,12 +151,15 @@ std::vector<sim::geometry::Triangle> tube_of(const json& tube) {
 }
 
 Fault fault_of(const json& value, const Scene& scene, const std::string& at) {
-    static const std::vector<std::string> kinds{"nan", "infinite", "zero_rotation", "long_rotation", "flipped_rotation", "frozen", "leap", "sampled"};
+    static const std::vector<std::string> kinds{
+        "nan", "infinite", "zero_rotation", "long_rotation", "flipped_rotation", "frozen", "leap", "sampled"};
     const auto kind = std::find(kinds.begin(), kinds.end(), value["is"].get<std::string>()) - kinds.begin();
-    Fault fault{static_cast<Fault::Kind>(kind), value["input"], value["from_s"], 0, mm * vector_of(value["by_mm"]), value["hz"]};
+    Fault fault{static_cast<Fault::Kind>(kind), value["input"], value["from_s"], 0,
+                mm * vector_of(value["by_mm"]), value["hz"]};
     fault.to = value.contains("to_s") ? value["to_s"].get<double>() : 2 * scene.duration;
     const bool of_thread = fault.input == "holds" || fault.input == "tools";
-    if (of_thread != scene.drill.empty()) throw Misfit{at + "/input", "expected \"holds\" or \"tools\" of a thread, or an instrument of a drill"};
+    if (of_thread != scene.drill.empty())
+        throw Misfit{at + "/input", "expected \"holds\" or \"tools\" of a thread, or an instrument of a drill"};
     if (of_thread && kind > 1) throw Misfit{at + "/is", "expected \"nan\" or \"infinite\", the others are for drills"};
     return fault;
 }
@@ -146,9 +167,12 @@ Fault fault_of(const json& value, const Scene& scene, const std::string& at) {
 // Where it is counted by the nodes that there are at first.
 CutPlan cut_of(const json& value, const Scene& scene, const std::string& at) {
     const int nodes = static_cast<int>(scene.nodes.size()), after = node_of(value["after"], nodes);
-    if (after + 1 >= nodes) throw Misfit{at + "/after", "expected less than the last of the thread's " + std::to_string(nodes) + " nodes"};
+    if (after + 1 >= nodes)
+        throw Misfit{at + "/after", "expected less than the last of the thread's " + std::to_string(nodes) + " nodes"};
     double place = 0;
-    for (int i = 0; i <= after; ++i) place += (i < after ? 1 : value["share"].get<double>()) * (scene.nodes[static_cast<std::size_t>(i) + 1] - scene.nodes[static_cast<std::size_t>(i)]).norm();
+    for (int i = 0; i <= after; ++i)
+        place += (i < after ? 1 : value["share"].get<double>()) *
+                 (scene.nodes[static_cast<std::size_t>(i) + 1] - scene.nodes[static_cast<std::size_t>(i)]).norm();
     return {value["t_s"], place};
 }
 
@@ -171,7 +195,8 @@ Scene scene_of(const json& value, const std::filesystem::path& folder) {
     Scene scene;
     scene.tick = value["tick_s"];
     scene.duration = value["duration_s"];
-    if (value.contains("drill") == value.contains("thread")) throw Misfit{"", "expected exactly one of the keys \"thread\" and \"drill\""};
+    if (value.contains("drill") == value.contains("thread"))
+        throw Misfit{"", "expected exactly one of the keys \"thread\" and \"drill\""};
     if (value.contains("drill")) {
         scene.drill = folder / value["drill"].get<std::string>();
         scene.model = value.value("model", "");
@@ -179,19 +204,26 @@ Scene scene_of(const json& value, const std::filesystem::path& folder) {
         throw Misfit{"/model", "goes with \"drill\" alone, expected it in \"thread\""};
     } else {
         const json& thread = value["thread"];
-        scene.thread = {mm * thread["radius_mm"].get<double>(), thread["friction"], thread["friction_tool"], thread["axial_stiffness_N"]};
-        if (thread["model"] == "elastic") scene.thread.elastic = {.axial_over_bending = thread["axial_over_bending"], .keeps_shape = thread["keeps_shape"]};  // polypropylene
+        scene.thread = {mm * thread["radius_mm"].get<double>(), thread["friction"], thread["friction_tool"],
+                        thread["axial_stiffness_N"]};
+        if (thread["model"] == "elastic")
+            scene.thread.elastic = {.axial_over_bending = thread["axial_over_bending"],
+                                    .keeps_shape = thread["keeps_shape"]};  // polypropylene
         scene.break_force = thread.value("break_N", scene.break_force);
         scene.nodes = nodes_of(thread, folder);
     }
     if (static_cast<double>(scene.nodes.size()) * scene.duration / scene.tick > most_places)
         throw Misfit{"/duration_s", "expected less: nodes times ticks over 6 million"};
-    fill(scene.holds, value["holds"], "/holds", [&](const json& v, const std::string& at) { return hold_of(v, scene, at); });
+    fill(scene.holds, value["holds"], "/holds",
+         [&](const json& v, const std::string& at) { return hold_of(v, scene, at); });
     fill(scene.tools, value["tools"], "/tools", [&](const json& v, const std::string& at) { return tool_of(v, at); });
-    fill(scene.cuts, value["cuts"], "/cuts", [&](const json& v, const std::string& at) { return cut_of(v, scene, at); });
-    std::stable_sort(scene.cuts.begin(), scene.cuts.end(), [](const CutPlan& a, const CutPlan& b) { return a.place > b.place; });
+    fill(scene.cuts, value["cuts"], "/cuts",
+         [&](const json& v, const std::string& at) { return cut_of(v, scene, at); });
+    std::stable_sort(scene.cuts.begin(), scene.cuts.end(),
+                     [](const CutPlan& a, const CutPlan& b) { return a.place > b.place; });
     if (value.contains("tube")) scene.surface = tube_of(value["tube"]);
-    fill(scene.faults, value["broken_input"], "/broken_input", [&](const json& v, const std::string& at) { return fault_of(v, scene, at); });
+    fill(scene.faults, value["broken_input"], "/broken_input",
+         [&](const json& v, const std::string& at) { return fault_of(v, scene, at); });
     return scene;
 }
 

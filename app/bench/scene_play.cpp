@@ -51,7 +51,8 @@ struct Grasp {
     void take(const Thread& thread, double t) {
         anchors.clear();
         for (const int node : nodes) anchors.push_back(thread.nodes()[static_cast<std::size_t>(std::max(node, 0))]);
-        pivot = std::accumulate(anchors.begin(), anchors.end(), Vec3(Vec3::Zero())) / static_cast<double>(anchors.size());
+        pivot =
+            std::accumulate(anchors.begin(), anchors.end(), Vec3(Vec3::Zero())) / static_cast<double>(anchors.size());
         since = plan->way.at(t);
     }
 };
@@ -80,7 +81,8 @@ struct Stage {
             const Vec3 pivot = (plan.capsule.a + plan.capsule.b) / 2;
             const WayKey now = plan.way.at(t);
             capsules.push_back({tools[i],
-                                {moved(plan.capsule.a, pivot, plan.way, {}, now), moved(plan.capsule.b, pivot, plan.way, {}, now), plan.capsule.radius},
+                                {moved(plan.capsule.a, pivot, plan.way, {}, now),
+                                 moved(plan.capsule.b, pivot, plan.way, {}, now), plan.capsule.radius},
                                 plan.tool});
         }
         for (const Fault& fault : scene.faults)
@@ -94,7 +96,8 @@ struct Stage {
         grasp.holds = held;
         for (std::size_t k = 0; held && k < grasp.nodes.size(); ++k) {
             if (grasp.nodes[k] < 0) continue;
-            holds.push_back({grasp.nodes[k], moved(grasp.anchors[k], grasp.pivot, plan.way, grasp.since, plan.way.at(t))});
+            holds.push_back(
+                {grasp.nodes[k], moved(grasp.anchors[k], grasp.pivot, plan.way, grasp.since, plan.way.at(t))});
             owners.push_back(plan.tool);
         }
     }
@@ -114,7 +117,8 @@ struct Stage {
             if (std::abs(t - plan.t) > scene.tick / 2) continue;
             double place = plan.place;
             int link = 0;
-            for (; link + 1 < static_cast<int>(thread.rest_lengths().size()) && place > rest(thread, link); ++link) place -= rest(thread, link);
+            for (; link + 1 < static_cast<int>(thread.rest_lengths().size()) && place > rest(thread, link); ++link)
+                place -= rest(thread, link);
             cut(thread, link, std::min(1.0, place / rest(thread, link)));
         }
     }
@@ -122,7 +126,8 @@ struct Stage {
     static double rest(const Thread& thread, int link) { return thread.rest_lengths()[static_cast<std::size_t>(link)]; }
 
     void spoil(const Fault& fault) {
-        const double bad = fault.kind == Fault::Kind::nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+        const double bad = fault.kind == Fault::Kind::nan ? std::numeric_limits<double>::quiet_NaN()
+                                                          : std::numeric_limits<double>::infinity();
         if (fault.input == "holds")
             for (Hold& hold : holds) hold.target.y() = bad;
         else
@@ -157,31 +162,29 @@ std::vector<int> cuts_of(const Thread& thread) {
 
 Frame frame_of(const Thread& thread, const Stage& stage, const sim::thread::TickReport& report) {
     const auto tension = thread.tension();
-    return {{thread.nodes().begin(), thread.nodes().end()},
-            stage.tools,
-            report,
-            stage.lag(thread),
-            *std::max_element(tension.begin(), tension.end()),
-            tension.front(),
-            tension.back(),
-            cuts_of(thread)};
+    return {{thread.nodes().begin(), thread.nodes().end()},    stage.tools,     report,         stage.lag(thread),
+            *std::max_element(tension.begin(), tension.end()), tension.front(), tension.back(), cuts_of(thread)};
 }
 
 double length_before(const Thread& thread, int node) {
     return std::accumulate(thread.rest_lengths().begin(), thread.rest_lengths().begin() + node, 0.0);
 }
 
-// From the nearest link that touches another strand: one within 1.2 thicknesses of it, and farther off than 5 along the thread.
+// From the nearest link that touches another strand: one within 1.2 thicknesses of it, and farther off than 5 along the
+// thread.
 double off_touching(const Thread& thread, int link) {
     const double thickness = 2 * thread.def().radius, place = length_before(thread, link);
     const auto nodes = thread.nodes();
     double least = length_before(thread, static_cast<int>(nodes.size()) - 1);
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
         for (std::size_t j = i + 1; j + 1 < nodes.size(); ++j) {
-            const double at_i = length_before(thread, static_cast<int>(i)), at_j = length_before(thread, static_cast<int>(j));
+            const double at_i = length_before(thread, static_cast<int>(i)),
+                         at_j = length_before(thread, static_cast<int>(j));
             if (at_j - at_i < 5 * thickness) continue;
-            const double d2 = sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]).distance_squared;
-            if (d2 < 1.44 * thickness * thickness) least = std::min({least, std::abs(at_i - place), std::abs(at_j - place)});
+            const double d2 =
+                sim::geometry::closest_points(nodes[i], nodes[i + 1], nodes[j], nodes[j + 1]).distance_squared;
+            if (d2 < 1.44 * thickness * thickness)
+                least = std::min({least, std::abs(at_i - place), std::abs(at_j - place)});
         }
     return least;
 }
@@ -193,13 +196,20 @@ Trace play(const Scene& scene) {
     const sim::geometry::TriangleTree surface(scene.surface);
     Thread thread(scene.thread, scene.nodes);
     Stage stage(scene);
-    Trace trace{scene.tick, 2 * scene.thread.radius, scene.nodes, {thread.rest_lengths().begin(), thread.rest_lengths().end()}, {}, 0, 0};
+    Trace trace{scene.tick,
+                2 * scene.thread.radius,
+                scene.nodes,
+                {thread.rest_lengths().begin(), thread.rest_lengths().end()},
+                {},
+                0,
+                0};
     const int ticks = static_cast<int>(std::ceil(scene.duration / scene.tick - rounding));
     sim::thread::Strength strength{scene.break_force};
     for (int tick = 1; tick <= ticks; ++tick) {
         stage.cut_before(thread, tick * scene.tick);
         stage.ask(thread, tick * scene.tick);
-        const auto report = thread.tick({stage.holds, stage.owners, stage.capsules, scene.surface.empty() ? nullptr : &surface, scene.tick});
+        const auto report = thread.tick(
+            {stage.holds, stage.owners, stage.capsules, scene.surface.empty() ? nullptr : &surface, scene.tick});
         stage.answer(thread, report);
         trace.frames.push_back(frame_of(thread, stage, report));
         if (!strength.gives_way(trace.frames.back().tension, scene.tick, scene.thread.elastic.has_value())) continue;
@@ -211,8 +221,10 @@ Trace play(const Scene& scene) {
     }
     trace.hash = thread.hash();
     const auto nodes = thread.nodes();
-    for (const auto& [first, last] : thread.pieces()) trace.pieces.emplace_back(nodes.begin() + first, nodes.begin() + last + 1);
-    trace.lost = std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0) - length_before(thread, static_cast<int>(nodes.size()) - 1);
+    for (const auto& [first, last] : thread.pieces())
+        trace.pieces.emplace_back(nodes.begin() + first, nodes.begin() + last + 1);
+    trace.lost = std::accumulate(trace.rest.begin(), trace.rest.end(), 0.0) -
+                 length_before(thread, static_cast<int>(nodes.size()) - 1);
     return trace;
 }
 

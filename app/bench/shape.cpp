@@ -37,7 +37,8 @@ std::vector<Vec3> overhand_path(int links, double length) {
 // about the last node just once.
 class Walk {
   public:
-    Walk(const std::vector<Vec3>& path, int way) : path_(path), vertex_(path.size() / 2), way_(way), at_(path[vertex_]) {}
+    Walk(const std::vector<Vec3>& path, int way)
+        : path_(path), vertex_(path.size() / 2), way_(way), at_(path[vertex_]) {}
 
     Vec3 next(double step) {
         while ((path_[ahead()] - at_).norm() < step) vertex_ = ahead();

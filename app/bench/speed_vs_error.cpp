@@ -12,7 +12,9 @@ namespace app::bench {
 
 namespace {
 
-std::string name_of(bool elastic) { return elastic ? "elastic" : "ftl"; }
+std::string name_of(bool elastic) {
+    return elastic ? "elastic" : "ftl";
+}
 
 // "capstan-half-ftl-link05-tick025": a link half a diameter long, a tick of 0.25 ms.
 std::string id_of(const Problem& problem, const Setting& s) {
@@ -21,7 +23,9 @@ std::string id_of(const Problem& problem, const Setting& s) {
     return id;
 }
 
-std::string id_of(const RodCase& c, int links) { return c.id + "-rod-link" + std::to_string(links); }
+std::string id_of(const RodCase& c, int links) {
+    return c.id + "-rod-link" + std::to_string(links);
+}
 
 struct Trial {
     Setting setting;
@@ -48,12 +52,17 @@ void add(Suite& suite, const Problem& problem, bool quick) {
     for (const Trial& trial : tried(problem, quick)) {
         const Setting& s = trial.setting;
         const std::string id = id_of(problem, s) + "-", links = ", links (" + problem.links + ") " + digits(s.link);
-        const std::string words = problem.what + "; " + name_of(s.elastic) + links + ", ticks of " + digits(1000 * s.tick) + " ms: ";
+        const std::string words =
+            problem.what + "; " + name_of(s.elastic) + links + ", ticks of " + digits(1000 * s.tick) + " ms: ";
         suite.rows.push_back(told(id + "found", words + "found", trial.found.found, "ratio", trial.seconds));
-        if (!problem.ranks) suite.rows.push_back(told(id + "error", words + "error", 100 * std::abs(trial.found.error()), "%", 0));
-        suite.rows.push_back(told(id + "cost", words + "processor time of a simulated second", trial.cost.per_second(s.tick), "ms", 0));
+        if (!problem.ranks)
+            suite.rows.push_back(told(id + "error", words + "error", 100 * std::abs(trial.found.error()), "%", 0));
+        suite.rows.push_back(
+            told(id + "cost", words + "processor time of a simulated second", trial.cost.per_second(s.tick), "ms", 0));
         suite.rows.push_back(told(id + "links", words + "links of the whole thread", trial.cost.links, "count", 0));
-        if (s.elastic) suite.rows.push_back(told(id + "sweeps", words + "sweeps over contacts, mean of a tick", trial.cost.sweeps(), "count", 0));
+        if (s.elastic)
+            suite.rows.push_back(
+                told(id + "sweeps", words + "sweeps over contacts, mean of a tick", trial.cost.sweeps(), "count", 0));
     }
 }
 
@@ -62,8 +71,10 @@ constexpr int rod_links[] = {20, 40, 80, 160};
 void add(Suite& suite, const RodCase& c, bool quick) {
     for (const int links : rod_links) {
         if (quick && links > 40) continue;
-        const double begin = processor_time(), error = 100 * std::abs(c.at(links).error()), seconds = processor_time() - begin;
-        const std::string id = id_of(c, links) + "-", words = c.what + "; rod alone, links (number) " + std::to_string(links) + ": ";
+        const double begin = processor_time(), error = 100 * std::abs(c.at(links).error()),
+                     seconds = processor_time() - begin;
+        const std::string id = id_of(c, links) + "-",
+                          words = c.what + "; rod alone, links (number) " + std::to_string(links) + ": ";
         suite.rows.push_back(told(id + "error", words + "error", error, "%", seconds));
         suite.rows.push_back(told(id + "cost", words + "processor time of the answer", 1000 * seconds, "ms", 0));
     }
@@ -84,11 +95,16 @@ class Points {
 };
 
 std::string picture(const Problem& problem, const Points& points) {
-    Chart chart{"processor time of a simulated second [ms]", (problem.ranks ? "ratio; links: " : "error [%]; links: ") + problem.links, {}, true};
+    Chart chart{"processor time of a simulated second [ms]",
+                (problem.ranks ? "ratio; links: " : "error [%]; links: ") + problem.links,
+                {},
+                true};
     for (const bool elastic : {false, true})
         for (const double tick : problem.ticks) {
             Series series{name_of(elastic) + ", ticks of " + digits(1000 * tick) + " ms", {}, !elastic};
-            for (const double link : problem.link) points.add_to(series, id_of(problem, {elastic, link, tick}), problem.ranks ? "found" : "error", digits(link));
+            for (const double link : problem.link)
+                points.add_to(series, id_of(problem, {elastic, link, tick}), problem.ranks ? "found" : "error",
+                              digits(link));
             if (!series.points.empty()) chart.series.push_back(series);
         }
     return svg({chart});

@@ -6,8 +6,9 @@
 
 namespace app::bench {
 
-/// Error against theory and cost of both threads, over links and ticks; of the rod alone over links. Cost is processor time: of a
-/// simulated second, or of an equilibrium of the rod. `quick`: the coarsest links in the longest ticks alone.
+/// Error against theory and cost of both threads, over links and ticks; of the rod alone over links. Cost is processor
+/// time: of a simulated second, or of an equilibrium of the rod. `quick`: the coarsest links in the longest ticks
+/// alone.
 Suite speed_vs_error_suite(bool quick, const Progress& progress);
 
 /// What it found, drawn: error over cost, a picture (SVG) a problem, and its name.

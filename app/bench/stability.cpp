@@ -12,7 +12,8 @@ namespace app::bench {
 
 // The condition's name; numbered from the second on where a scene has it twice, of two times or two nodes.
 static std::string id_of(const HardCase& hard_case, const Condition& condition, std::set<std::string>& taken) {
-    std::string id = hard_case.id + '-' + condition.is + (condition.event.empty() ? "" : '-' + condition.event) + (condition.model == "elastic" ? "-elastic" : "");
+    std::string id = hard_case.id + '-' + condition.is + (condition.event.empty() ? "" : '-' + condition.event) +
+                     (condition.model == "elastic" ? "-elastic" : "");
     std::replace(id.begin(), id.end(), '_', '-');
     std::string unique = id;
     for (int i = 2; !taken.insert(unique).second; ++i) unique = id + '-' + std::to_string(i);
@@ -21,7 +22,8 @@ static std::string id_of(const HardCase& hard_case, const Condition& condition, 
 
 static Row row_of(const HardCase& hard_case, const Outcome& outcome, std::string id) {
     const ConditionKind& kind = condition_kind(outcome.condition.is);
-    Row row{std::move(id), kind.words, outcome.value, kind.unit, outcome.condition.bound, outcome.condition.must, {}, outcome.seconds};
+    Row row{std::move(id),          kind.words, outcome.value,  kind.unit, outcome.condition.bound,
+            outcome.condition.must, {},         outcome.seconds};
     row.what += ". If not: " + hard_case.goes_wrong;
     return row;
 }
@@ -44,9 +46,9 @@ struct Law {
     std::vector<Row> (*measure)(bool quick);
 };
 
-static constexpr Law laws[] = {{"tight knots", tight_rows},     {"stick and slip", stick_rows}, {"rest", rest_rows},
-                               {"invariance", invariance_rows}, {"memory", memory_rows},        {"capstan", capstan_rows},
-                               {"ties", ties_rows}};
+static constexpr Law laws[] = {
+    {"tight knots", tight_rows}, {"stick and slip", stick_rows}, {"rest", rest_rows}, {"invariance", invariance_rows},
+    {"memory", memory_rows},     {"capstan", capstan_rows},      {"ties", ties_rows}};
 
 Suite stability_suite(const std::filesystem::path& scenes, bool quick, const Progress& progress) {
     Suite suite{"stability", hard_case_rows(scenes, quick, progress)};

@@ -16,7 +16,9 @@ std::vector<Vec3> overhand_path() {
         const double t = 2.1 * (2.0 * i / points - 1);
         path.emplace_back(t * t * t - 3 * t, t * t * t * t - 4 * t * t, 0.25 * (t * t * t * t * t - 10 * t));
     }
-    const auto led_out = [](const Vec3& end, const Vec3& before) { return Vec3(end + 4 * (end - before).normalized()); };
+    const auto led_out = [](const Vec3& end, const Vec3& before) {
+        return Vec3(end + 4 * (end - before).normalized());
+    };
     path.insert(path.begin(), led_out(path[0], path[1]));
     path.push_back(led_out(path.back(), path[path.size() - 2]));
     return path;
@@ -29,7 +31,8 @@ std::vector<Vec3> tied_path(const std::string& notation) {
         throws.push_back({notation[i] - '0', i == 0 || throws.back().right_handed != other_hand});
     }
     std::vector<Vec3> path = tied(throws);
-    if (path.front().x() > path.back().x()) std::reverse(path.begin(), path.end());  // the loop below, however many throws
+    if (path.front().x() > path.back().x())
+        std::reverse(path.begin(), path.end());  // the loop below, however many throws
     return path;
 }
 

@@ -17,8 +17,10 @@ using sim::thread::Vec3;
 using std::numbers::pi;
 
 constexpr double strand_diameter = 1e-3, strand_link = 0.5 * strand_diameter, strand_friction = 0.2;  // [m]
-constexpr double strand_load = 0.1;  // [N]
-constexpr int bar_links = 40, lead_links = 240, tail_links = 260;  // links: of the strand that is held, from a hand to the half turn, and from there to the load
+constexpr double strand_load = 0.1;                                                                   // [N]
+constexpr int bar_links = 40, lead_links = 240,
+              tail_links =
+                  260;  // links: of the strand that is held, from a hand to the half turn, and from there to the load
 
 struct HungStrand {
     // The bar along y, slack far from all, and down from the hand to the half turn round the bar, and up again.
@@ -49,9 +51,15 @@ struct HungStrand {
 sim::thread::Thread thread_of(const HungStrand& hung) {
     constexpr double strain = 1e-3, limp = 1e-3;  // stretched so much by the load; of the bending stiffness
     const double young = strand_load / strain / (pi * strand_diameter * strand_diameter / 4);
-    return {{.radius = 0.5 * strand_diameter, .friction = strand_friction,
-                .elastic = sim::thread::RodDef{.radius = 0.5 * strand_diameter, .young = young, .bending_share = limp, .friction = strand_friction, .density = 1000, .axial_over_bending = 0}},
-        hung.nodes};
+    return {{.radius = 0.5 * strand_diameter,
+             .friction = strand_friction,
+             .elastic = sim::thread::RodDef{.radius = 0.5 * strand_diameter,
+                                            .young = young,
+                                            .bending_share = limp,
+                                            .friction = strand_friction,
+                                            .density = 1000,
+                                            .axial_over_bending = 0}},
+            hung.nodes};
 }
 
 double friction_found(double speed, double tick) {
@@ -84,10 +92,16 @@ std::vector<Row> strand_capstan_rows(bool quick) {
     for (const double speed : {0.01, 0.1})
         for (const double tick : quick ? std::vector{1e-3} : std::vector{4e-3, 1e-3, 0.25e-3}) {
             const double begin = processor_time(), found = friction_found(speed, tick);
-            const std::string us = std::to_string(std::lround(1e6 * tick)), mm = std::to_string(std::lround(1000 * speed));
+            const std::string us = std::to_string(std::lround(1e6 * tick)),
+                              mm = std::to_string(std::lround(1000 * speed));
             rows.push_back({.id = "strand-capstan-" + mm + "-tick" + us,
-                .what = "elastic thread hung over a strand by half a turn, friction 0.2, drawn at " + mm + " mm/s, 1 mm thick, ticks of " + us + " us: friction that it slides by, off",
-                .value = 100 * std::abs(found / strand_friction - 1), .unit = "%", .bound = 10, .error = {}, .seconds = processor_time() - begin});
+                            .what = "elastic thread hung over a strand by half a turn, friction 0.2, drawn at " + mm +
+                                    " mm/s, 1 mm thick, ticks of " + us + " us: friction that it slides by, off",
+                            .value = 100 * std::abs(found / strand_friction - 1),
+                            .unit = "%",
+                            .bound = 10,
+                            .error = {},
+                            .seconds = processor_time() - begin});
         }
     return rows;
 }

@@ -7,7 +7,8 @@ namespace app::bench {
 /// Our thread, held by two tools that go where the hands are as far as the thread lets them.
 class ThreadRope : public Rope {
   public:
-    ThreadRope(const PullDef& def, const std::vector<Vec3>& start) : ThreadRope(def, start, {.axial_over_bending = 0}) {}
+    ThreadRope(const PullDef& def, const std::vector<Vec3>& start)
+        : ThreadRope(def, start, {.axial_over_bending = 0}) {}
     /// `rod`: what it is made of where it is elastic.
     ThreadRope(const PullDef& def, const std::vector<Vec3>& start, const sim::thread::RodDef& rod)
         : thread_(thread_def(def, rod), start), last_(def.links), grip_(def.elastic ? def.link() : 0) {}

@@ -44,9 +44,13 @@ namespace {
 
 struct Play {
     Play(const Tie& the_tie, const Loose& start, const EachTick& each_tick, bool elastic)
-        : tie(the_tie), each(each_tick), tail(start.tail), thread(thread_def(tie, elastic), start.nodes),
-            pull(thread),
-          across(pull.away.unitOrthogonal()), slack(taken_up(thread)) {}
+        : tie(the_tie),
+          each(each_tick),
+          tail(start.tail),
+          thread(thread_def(tie, elastic), start.nodes),
+          pull(thread),
+          across(pull.away.unitOrthogonal()),
+          slack(taken_up(thread)) {}
 
     static ThreadDef thread_def(const Tie& tie, bool elastic) {
         ThreadDef def{.friction = tie.friction, .friction_tool = tie.friction};
@@ -62,8 +66,8 @@ struct Play {
 
     // A hand's way in this tick [m]: on, and round a little circle or ellipse, the hands half a turn apart.
     Vec3 way(int hand, double on) const {
-        const double turn = std::remainder(2 * std::numbers::pi * (tie.wobble_hz * default_tick * tied.ticks + 0.5 * hand),
-            2 * std::numbers::pi);
+        const double turn = std::remainder(
+            2 * std::numbers::pi * (tie.wobble_hz * default_tick * tied.ticks + 0.5 * hand), 2 * std::numbers::pi);
         const auto wave = sim::geometry::portable_sin_cos(turn);
         const Vec3 sideways = wave.cos * across + wave.sin * pull.away.cross(across);
         return tie.speed * default_tick * ((hand == 0 ? -on : on) * pull.away + tie.wobble * sideways);
@@ -72,11 +76,12 @@ struct Play {
     void move(double on) {
         add(pull.hands.move(thread, way(0, on), way(1, on)));
         const int last = static_cast<int>(thread.nodes().size()) - 1;
-        if (each) each(thread, std::max(0, pull.hands.hands[0].node), pull.hands.holds(1) ? pull.hands.hands[1].node : last);
+        if (each)
+            each(thread, std::max(0, pull.hands.hands[0].node), pull.hands.holds(1) ? pull.hands.hands[1].node : last);
     }
 
-    // What lets go stays off for a while and grasps farther in; the other hand wobbles meanwhile, by no more than half a
-    // tail: farther it could draw the free end out of the knot, which then is untied and rightly so.
+    // What lets go stays off for a while and grasps farther in; the other hand wobbles meanwhile, by no more than half
+    // a tail: farther it could draw the free end out of the knot, which then is untied and rightly so.
     void let_go_and_regrasp() {
         pull.hands.let_go(tie.let_go);
         const double may_go = 0.5 * tail * thread.rest_lengths()[0], step = tie.speed * default_tick * tie.wobble;
@@ -88,14 +93,15 @@ struct Play {
     // What the knot takes up between the hands, in diameters.
     double left() const {
         double length = 0;
-        for (int k = pull.hands.hands[0].node; k < pull.hands.hands[1].node; ++k) length += thread.rest_lengths()[static_cast<std::size_t>(k)];
+        for (int k = pull.hands.hands[0].node; k < pull.hands.hands[1].node; ++k)
+            length += thread.rest_lengths()[static_cast<std::size_t>(k)];
         return (length - apart()) / (2 * thread.def().radius);
     }
 
     double apart() const { return (pull.hands.hands[1].at - pull.hands.hands[0].at).norm(); }
 
-    // Until the hands come apart by less than a thirtieth of what they may in a free thread, or of the thread's thickness, a
-    // tick: tight, and then beyond.
+    // Until the hands come apart by less than a thirtieth of what they may in a free thread, or of the thread's
+    // thickness, a tick: tight, and then beyond.
     void pull_until(double slack_left, int most_ticks) {
         constexpr int beyond = 16;
         const double little = 0.033 * beyond * std::min(2 * tie.speed * default_tick, 2 * thread.def().radius);
@@ -140,14 +146,13 @@ Tied ties(std::uint64_t seed, const EachTick& each, bool elastic) {
 
 std::string words(std::uint64_t seed, const Tie& tie, const Tied& tied) {
     char line[400];
-    std::snprintf(line, sizeof line,
-                  "seed %llu: %s, %d links, R/link %.2f, friction %.2f, %.3f m/s, wobble %.2f at %.1f Hz, hand off %d for %d: "
-                  "'%s' -> '%s', %d pass-throughs in %d ticks, stretch %.2e, takes up %.1f D",
-                  static_cast<unsigned long long>(seed), known(tie.knot).words, tie.links, tie.radius_per_link, tie.friction,
-                      tie.speed,
-                  tie.wobble, tie.wobble_hz, tie.let_go, tie.pause, tied.before.c_str(), tied.after.c_str(), tied.pass_throughs,
-                      tied.ticks,
-                  tied.stretch, tied.left);
+    std::snprintf(
+        line, sizeof line,
+        "seed %llu: %s, %d links, R/link %.2f, friction %.2f, %.3f m/s, wobble %.2f at %.1f Hz, hand off %d for %d: "
+        "'%s' -> '%s', %d pass-throughs in %d ticks, stretch %.2e, takes up %.1f D",
+        static_cast<unsigned long long>(seed), known(tie.knot).words, tie.links, tie.radius_per_link, tie.friction,
+        tie.speed, tie.wobble, tie.wobble_hz, tie.let_go, tie.pause, tied.before.c_str(), tied.after.c_str(),
+        tied.pass_throughs, tied.ticks, tied.stretch, tied.left);
     return line;
 }
 

@@ -19,8 +19,8 @@ using sim::thread::ThreadDef;
 
 constexpr double knotted_length = 100, tight_strain = 0.01;  // [D], [1]
 
-// Bent about a strand of its own it pulls back with less than a hundredth of what pulls it tight: B / R^2 at R of a diameter against
-// `pull_strain` of EA.
+// Bent about a strand of its own it pulls back with less than a hundredth of what pulls it tight: B / R^2 at R of a
+// diameter against `pull_strain` of EA.
 ThreadDef limp(double friction) {
     return {.friction = friction, .elastic = sim::thread::RodDef{.bending_share = 1e-3, .axial_over_bending = 0}};
 }
@@ -36,7 +36,9 @@ double taken_up_by(const Thread& thread) {
 sim::thread::TickReport draw(Thread& thread, double by, double tick) {
     const std::span<const Vec3> x = thread.nodes();
     const int last = static_cast<int>(x.size()) - 1;
-    const auto held = [&](int node, double way) { return Hold{node, x[static_cast<std::size_t>(node)] + way * Vec3::UnitX()}; };
+    const auto held = [&](int node, double way) {
+        return Hold{node, x[static_cast<std::size_t>(node)] + way * Vec3::UnitX()};
+    };
     const Hold holds[] = {held(0, -by), held(1, -by), held(last - 1, by), held(last, by)};
     constexpr int owners[] = {0, 0, 1, 1};
     return thread.tick({holds, owners, {}, nullptr, tick});
@@ -53,7 +55,9 @@ TightElastic tight_elastic(double link_in_diameters, double friction, double tic
     const auto pull = [&] { return std::min(thread.tension()[1], thread.tension()[thread.tension().size() - 2]); };
     TightElastic result{.in_the_end = NAN};
     result.cost.links = static_cast<int>(thread.rest_lengths().size());
-    const auto go = [&](double by) { result.pass_throughs += result.cost.of([&] { return draw(thread, by, tick); }).pass_throughs; };
+    const auto go = [&](double by) {
+        result.pass_throughs += result.cost.of([&] { return draw(thread, by, tick); }).pass_throughs;
+    };
     for (int i = ticks_in(rest, tick); i > 0; --i) go(0);
     for (int i = ticks_in(longest, tick); i > 0 && pull() < tight; --i) {
         go(speed * tick * diameter);
@@ -72,13 +76,42 @@ std::vector<Row> tight_elastic_rows(bool quick) {
         for (const double friction : {0.0, 0.15}) {
             const Stopwatch watch;
             const TightElastic found = tight_elastic(1.0 / pieces, friction);
-            const std::string id = "elastic-tight-overhand-link" + std::to_string(pieces) + (friction > 0 ? "-mu15" : "-mu0");
-            const std::string what = "elastic thread, tight open overhand, links of D/" + std::to_string(pieces) + (friction > 0 ? ", friction 0.15: " : ", no friction: ");
-            rows.push_back({.id = id, .what = what + "takes up", .value = found.in_the_end, .unit = "D", .bound = more * ideal, .error = {}, .seconds = watch.seconds()});
-            rows.push_back({.id = id + "-least", .what = what + "least at any time", .value = found.least, .unit = "D", .bound = never, .must = Must::be_at_least, .error = {}});
-            rows.push_back({.id = id + "-gap", .what = what + "how far apart its strands' centre lines are", .value = found.gap, .unit = "D", .bound = {}, .error = {}});
-            rows.push_back({.id = id + "-by-gap", .what = what + "takes up, over that", .value = found.in_the_end / found.gap, .unit = "ratio", .bound = {}, .error = {}});
-            rows.push_back({.id = id + "-passes", .what = what + "pass-throughs", .value = static_cast<double>(found.pass_throughs), .unit = "count", .bound = 0, .error = {}});
+            const std::string id =
+                "elastic-tight-overhand-link" + std::to_string(pieces) + (friction > 0 ? "-mu15" : "-mu0");
+            const std::string what = "elastic thread, tight open overhand, links of D/" + std::to_string(pieces) +
+                                     (friction > 0 ? ", friction 0.15: " : ", no friction: ");
+            rows.push_back({.id = id,
+                            .what = what + "takes up",
+                            .value = found.in_the_end,
+                            .unit = "D",
+                            .bound = more * ideal,
+                            .error = {},
+                            .seconds = watch.seconds()});
+            rows.push_back({.id = id + "-least",
+                            .what = what + "least at any time",
+                            .value = found.least,
+                            .unit = "D",
+                            .bound = never,
+                            .must = Must::be_at_least,
+                            .error = {}});
+            rows.push_back({.id = id + "-gap",
+                            .what = what + "how far apart its strands' centre lines are",
+                            .value = found.gap,
+                            .unit = "D",
+                            .bound = {},
+                            .error = {}});
+            rows.push_back({.id = id + "-by-gap",
+                            .what = what + "takes up, over that",
+                            .value = found.in_the_end / found.gap,
+                            .unit = "ratio",
+                            .bound = {},
+                            .error = {}});
+            rows.push_back({.id = id + "-passes",
+                            .what = what + "pass-throughs",
+                            .value = static_cast<double>(found.pass_throughs),
+                            .unit = "count",
+                            .bound = 0,
+                            .error = {}});
         }
     return rows;
 }

@@ -6,8 +6,9 @@
 
 namespace app::bench {
 
-/// What an open overhand of an elastic thread that hardly resists bending takes up when it is pulled harder and harder by both ends;
-/// by 25 diameters a second; figures in diameters, of the thread as long as it then is, so that its stretch counts for nothing.
+/// What an open overhand of an elastic thread that hardly resists bending takes up when it is pulled harder and harder
+/// by both ends; by 25 diameters a second; figures in diameters, of the thread as long as it then is, so that its
+/// stretch counts for nothing.
 struct TightElastic {
     double in_the_end = 0;  ///< At a strain of a hundredth; NaN if it never comes to that.
     double least = 1e300;   ///< At any time.

@@ -35,7 +35,9 @@ void settle(Tissue& tissue, const Input& input, double cell) {
 }
 
 // Within a thousandth of a cell.
-bool is_at(double x, double plane, double cell) { return std::abs(x - plane) < 1e-3 * cell; }
+bool is_at(double x, double plane, double cell) {
+    return std::abs(x - plane) < 1e-3 * cell;
+}
 
 Mesh tube(const TubeDef& def, const Resolution& resolution) {
     const Mesh mesh = tissue::make_tube(def);
@@ -43,7 +45,8 @@ Mesh tube(const TubeDef& def, const Resolution& resolution) {
 }
 
 double pressure_over_mu(double inner_stretch, double axial, double inner, double outer) {
-    const double a = inner_stretch * inner, b = std::sqrt(a * a + (outer * outer - inner * inner) / axial), l = b / outer, k = inner_stretch;
+    const double a = inner_stretch * inner, b = std::sqrt(a * a + (outer * outer - inner * inner) / axial),
+                 l = b / outer, k = inner_stretch;
     return std::log(k / l) / axial + (1 / (l * l) - 1 / (k * k)) / (2 * axial * axial);
 }
 
@@ -65,8 +68,12 @@ Compared patch_stress(Deformation mode, double stretch) {
         std::vector<tissue::Hold> holds;
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
-            const bool left = is_at(at.x(), 0, cell), right = is_at(at.x(), edge, cell), front = is_at(at.y(), 0, cell), back = is_at(at.y(), edge, cell);
-            holds.push_back({i, {along * at.x(), across * at.y(), at.z()}, {left || right, front || (back && mode != Deformation::uniaxial), is_at(at.z(), 0, cell)}});
+            const bool left = is_at(at.x(), 0, cell), right = is_at(at.x(), edge, cell), front = is_at(at.y(), 0, cell),
+                       back = is_at(at.y(), edge, cell);
+            holds.push_back(
+                {i,
+                 {along * at.x(), across * at.y(), at.z()},
+                 {left || right, front || (back && mode != Deformation::uniaxial), is_at(at.z(), 0, cell)}});
         }
         settle(tissue, {.holds = holds}, cell);
     }
@@ -81,8 +88,15 @@ Compared patch_stress(Deformation mode, double stretch) {
 Compared inflated_radius(const Resolution& resolution, double stretch, double axial) {
     const double inner = 2e-3 * resolution.scale, outer = 2.5e-3 * resolution.scale;
     const double cell = (outer - inner) / resolution.through, length = 2 * resolution.aspect * cell;
-    const Mesh mesh = tube({.diameter = 2 * outer, .wall = outer - inner, .length = length, .around = resolution.around, .through = resolution.through,
-                               .near = 2, .near_length = length, .far = 0}, resolution);
+    const Mesh mesh = tube({.diameter = 2 * outer,
+                            .wall = outer - inner,
+                            .length = length,
+                            .around = resolution.around,
+                            .through = resolution.through,
+                            .near = 2,
+                            .near_length = length,
+                            .far = 0},
+                           resolution);
     Tissue tissue = newton(mesh);
     const double pressure = pressure_over_mu(stretch, axial, inner, outer) * tissue.material().shear();
     constexpr int steps = 10;
@@ -91,14 +105,18 @@ Compared inflated_radius(const Resolution& resolution, double stretch, double ax
         std::vector<tissue::Hold> holds;
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
-            holds.push_back({i, {(1 + share * (axial - 1)) * at.x(), 0, 0}, {true, is_at(at.y(), 0, cell), is_at(at.z(), 0, cell)}});
+            holds.push_back({i,
+                             {(1 + share * (axial - 1)) * at.x(), 0, 0},
+                             {true, is_at(at.y(), 0, cell), is_at(at.z(), 0, cell)}});
         }
         settle(tissue, {.holds = holds, .pressure = share * pressure}, cell);
     }
     // Of the polygon of inner nodes of the section in the middle, which comes second.
     double area = 0, area_at_rest = 0;
     for (int a = 0; a < resolution.around; ++a) {
-        const auto node = [&](int k) { return static_cast<std::size_t>((resolution.around + k % resolution.around) * (resolution.through + 1)); };
+        const auto node = [&](int k) {
+            return static_cast<std::size_t>((resolution.around + k % resolution.around) * (resolution.through + 1));
+        };
         area += tissue.nodes()[node(a)].cross(tissue.nodes()[node(a + 1)]).x();
         area_at_rest += mesh.nodes[node(a)].cross(mesh.nodes[node(a + 1)]).x();
     }
@@ -108,8 +126,15 @@ Compared inflated_radius(const Resolution& resolution, double stretch, double ax
 Compared clamped_force(const Resolution& resolution, double stretch) {
     constexpr double diameter = 4e-3, wall = 0.5e-3, length = 16e-3;
     const int along = 12 * resolution.through;
-    const Mesh mesh = tube({.diameter = diameter, .wall = wall, .length = length, .around = resolution.around, .through = resolution.through, .near = along,
-                               .near_length = length, .far = 0}, resolution);
+    const Mesh mesh = tube({.diameter = diameter,
+                            .wall = wall,
+                            .length = length,
+                            .around = resolution.around,
+                            .through = resolution.through,
+                            .near = along,
+                            .near_length = length,
+                            .far = 0},
+                           resolution);
     Tissue tissue = newton(mesh);
     constexpr int steps = 4;
     for (int s = 1; s <= steps; ++s) {
@@ -117,7 +142,8 @@ Compared clamped_force(const Resolution& resolution, double stretch) {
         for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
             const Vec3& at = mesh.nodes[static_cast<std::size_t>(i)];
             const bool far = is_at(at.x(), length, wall);
-            if (far || is_at(at.x(), 0, wall)) holds.push_back({i, at + (far ? s * (stretch - 1) / steps * length : 0) * Vec3::UnitX()});
+            if (far || is_at(at.x(), 0, wall))
+                holds.push_back({i, at + (far ? s * (stretch - 1) / steps * length : 0) * Vec3::UnitX()});
         }
         settle(tissue, {.holds = holds}, wall / resolution.through);
     }

@@ -41,7 +41,8 @@ VesselPull::VesselPull(const TubeDef& def, bool locks) : mesh(make_tube(def)), e
         const tissue::Tetrahedron& tet = mesh.tetrahedra[static_cast<std::size_t>(t)];
         Vec3 middle = Vec3::Zero();
         for (const int i : tet) middle += 0.25 * mesh.nodes[static_cast<std::size_t>(i)];
-        const double share = middle.y() > 0 ? window(middle.x() - reach) * window(middle.z()) * tissue::volume(tet, mesh.nodes) : 0;
+        const double share =
+            middle.y() > 0 ? window(middle.x() - reach) * window(middle.z()) * tissue::volume(tet, mesh.nodes) : 0;
         if (share == 0) continue;
         points.push_back({t, {0.25, 0.25, 0.25, 0.25}});
         shares.push_back(share);
@@ -67,10 +68,13 @@ Vec3 VesselPull::pull_at(double seconds) {
 Pulled pulled(const VesselPull& pull, double force) {
     Tissue tissue({}, pull.mesh, {.iterations = 50, .steps_per_factor = 0, .tolerance = 1e-7 * force});
     constexpr int steps = 10;
-    for (int s = 1; s <= steps; ++s) tissue.step({.holds = pull.holds, .forces = pull.forces(s * force / steps * VesselPull::pull_at(0.2))}, std::numeric_limits<double>::infinity());
+    for (int s = 1; s <= steps; ++s)
+        tissue.step({.holds = pull.holds, .forces = pull.forces(s * force / steps * VesselPull::pull_at(0.2))},
+                    std::numeric_limits<double>::infinity());
     const auto edge = static_cast<std::size_t>(pull.edge), behind = static_cast<std::size_t>(pull.behind);
     const auto nodes = tissue.nodes();
-    return {nodes[edge] - pull.mesh.nodes[edge], (nodes[edge] - nodes[behind]).norm() - (pull.mesh.nodes[edge] - pull.mesh.nodes[behind]).norm()};
+    return {nodes[edge] - pull.mesh.nodes[edge],
+            (nodes[edge] - nodes[behind]).norm() - (pull.mesh.nodes[edge] - pull.mesh.nodes[behind]).norm()};
 }
 
 Played play(const VesselPull& pull, const tissue::Solver& solver, double force, double seconds) {
@@ -93,7 +97,11 @@ double stiff_step(int count) {
     const VesselPull pull(vessel());
     Tissue tissue({}, pull.mesh);
     std::vector<tissue::PointForce> forces;
-    for (int i = 0; i < count; ++i) forces.push_back({{i * static_cast<int>(pull.mesh.tetrahedra.size()) / std::max(1, count), {0.25, 0.25, 0.25, 0.25}}, Vec3::Zero(), 1000});
+    for (int i = 0; i < count; ++i)
+        forces.push_back(
+            {{i * static_cast<int>(pull.mesh.tetrahedra.size()) / std::max(1, count), {0.25, 0.25, 0.25, 0.25}},
+             Vec3::Zero(),
+             1000});
     tissue.step({.holds = pull.holds, .forces = forces}, 2e-3);
     constexpr int steps = 400;
     const double begin = processor_time();

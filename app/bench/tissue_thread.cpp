@@ -10,8 +10,11 @@ namespace app::bench {
 
 namespace {
 
-constexpr double tick = 1e-3, fast = 0.05, usual = 0.01, slow = 0.002;  // [s], [m/s]: as needles draw thread after them, as fast as half of all tool tips, as a stitch is tightened
-constexpr double load = 5e-3;                            // at the end that follows [N]: through ten bites less than 0.3 N by the law, so that walls stay round
+constexpr double tick = 1e-3, fast = 0.05, usual = 0.01,
+                 slow = 0.002;  // [s], [m/s]: as needles draw thread after them, as fast as half of all tool tips, as a
+                                // stitch is tightened
+constexpr double load =
+    5e-3;  // at the end that follows [N]: through ten bites less than 0.3 N by the law, so that walls stay round
 
 // The worst of a thread on its way.
 struct Seen {
@@ -28,9 +31,12 @@ struct Seen {
     }
 };
 
-int ticks_of(double way, double speed) { return static_cast<int>(std::lround(way / (speed * tick))); }
+int ticks_of(double way, double speed) {
+    return static_cast<int>(std::lround(way / (speed * tick)));
+}
 
-// Until it went so far; a hand that waits for three times as long gives up. Returns how much longer than without waiting it took.
+// Until it went so far; a hand that waits for three times as long gives up. Returns how much longer than without
+// waiting it took.
 double draw(ThreadInTube& scene, bool by_lead, double way, Seen& seen) {
     constexpr int look_every = 10;  // half a millimetre, in which what was held before springs back
     const int ticks = ticks_of(way, fast);
@@ -47,7 +53,8 @@ double draw(ThreadInTube& scene, bool by_lead, double way, Seen& seen) {
 
 double slides_by(int bites, bool is_elastic, double friction, double speed, double way) {
     constexpr double limp = 0.01;  // of the bending stiffness: the law's rope has none
-    ThreadInTube scene({.bites = bites, .is_elastic = is_elastic, .tail = 40e-3, .friction = friction, .bending_share = limp});
+    ThreadInTube scene(
+        {.bites = bites, .is_elastic = is_elastic, .tail = 40e-3, .friction = friction, .bending_share = limp});
     double before = 0, after = 0, turned = 0;
     int looks = 0;
     for (int i = 0; i < ticks_of(way, speed); ++i) {
@@ -63,10 +70,19 @@ namespace {
 
 class Rows {
   public:
-    Rows(Suite& suite, std::string id, std::string what) : suite_(suite), id_(std::move(id)), what_(std::move(what)), begin_(processor_time()) {}
+    Rows(Suite& suite, std::string id, std::string what)
+        : suite_(suite), id_(std::move(id)), what_(std::move(what)), begin_(processor_time()) {}
 
-    void add(const char* id, const char* what, double value, const char* unit, std::optional<double> bound = {}, Must must = Must::be_at_most) {
-        suite_.rows.push_back({.id = id_ + id, .what = what_ + what, .value = value, .unit = unit, .bound = bound, .must = must, .error = {}, .seconds = processor_time() - begin_});
+    void add(const char* id, const char* what, double value, const char* unit, std::optional<double> bound = {},
+             Must must = Must::be_at_most) {
+        suite_.rows.push_back({.id = id_ + id,
+                               .what = what_ + what,
+                               .value = value,
+                               .unit = unit,
+                               .bound = bound,
+                               .must = must,
+                               .error = {},
+                               .seconds = processor_time() - begin_});
         begin_ = processor_time();
     }
     void add(const Seen& seen, int passes) {
@@ -98,11 +114,14 @@ void add_way(Suite& suite, int bites, bool is_elastic, const std::string& id, co
     constexpr double friction = 0.15;
     const auto slides = [&](double by, double speed) { return slides_by(bites, is_elastic, by, speed, 10e-3); };
     const double with = slides(friction, usual), without = slides(0, usual);
-    Rows law(suite, id + std::to_string(bites) + "-friction", "limp " + thread + " drawn through " + walls + " at 10 mm/s: ");
-    law.add("", "what it slides by for a friction of 0.15, off the law by", 100 * std::abs(with / friction - 1), "%", 15);
+    Rows law(suite, id + std::to_string(bites) + "-friction",
+             "limp " + thread + " drawn through " + walls + " at 10 mm/s: ");
+    law.add("", "what it slides by for a friction of 0.15, off the law by", 100 * std::abs(with / friction - 1), "%",
+            15);
     law.add("-none", "the same without friction", without, "coefficient");
     law.add("-alone", "friction's part of it, off the law by", 100 * std::abs((with - without) / friction - 1), "%");
-    if (is_elastic) law.add("-slow", "as the first, but at 2 mm/s", 100 * std::abs(slides(friction, slow) / friction - 1), "%", 15);
+    if (is_elastic)
+        law.add("-slow", "as the first, but at 2 mm/s", 100 * std::abs(slides(friction, slow) / friction - 1), "%", 15);
 }
 
 // E19.
@@ -122,7 +141,8 @@ void add_saw(Suite& suite, bool is_elastic, const std::string& id, const std::st
 void add_thread_in_tissue(Suite& suite, bool quick, const Progress& progress) {
     const OneCore core;
     for (const bool is_elastic : {false, true}) {
-        const std::string thread = is_elastic ? "elastic thread" : "ftl thread", id = is_elastic ? "thread-elastic-" : "thread-ftl-";
+        const std::string thread = is_elastic ? "elastic thread" : "ftl thread",
+                          id = is_elastic ? "thread-elastic-" : "thread-ftl-";
         for (const int bites : quick ? std::vector{1, 2} : std::vector{1, 2, 10}) {
             if (progress) progress(thread + " through " + std::to_string(bites) + (bites == 1 ? " bite" : " bites"));
             add_way(suite, bites, is_elastic, id, thread);

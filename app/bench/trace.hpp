@@ -19,31 +19,31 @@ struct Frame {
     std::vector<Vec3> nodes;     ///< [m]
     std::vector<Capsule> tools;  ///< Where the thread let them come to, in order of Scene::tools.
     sim::thread::TickReport report;
-    double lag = 0;              ///< Of the held node that is farthest behind [m].
+    double lag = 0;                                           ///< Of the held node that is farthest behind [m].
     double tension = 0, tension_first = 0, tension_last = 0;  ///< Most, of the first and of the last link [N].
-    std::vector<int> cuts = {};  ///< Links that are no more.
+    std::vector<int> cuts = {};                               ///< Links that are no more.
 
     // Of walls that give way, in a drill:
-    double smallest_tetrahedron = 1;          ///< Over its volume at rest.
-    std::vector<double> off_rest = {};        ///< Of each vessel's node that is farthest from there [m].
-    Vec3 needle_tip = Vec3::Zero();           ///< [m]
-    double off_needle = 0;                    ///< The thread's first node from the needle's tail [m].
-    int wall_contacts = 0;                    ///< Every tenth tick ...
-    std::vector<Threaded> threaded = {};      ///< ... as this, in order along the thread.
+    double smallest_tetrahedron = 1;      ///< Over its volume at rest.
+    std::vector<double> off_rest = {};    ///< Of each vessel's node that is farthest from there [m].
+    Vec3 needle_tip = Vec3::Zero();       ///< [m]
+    double off_needle = 0;                ///< The thread's first node from the needle's tail [m].
+    int wall_contacts = 0;                ///< Every tenth tick ...
+    std::vector<Threaded> threaded = {};  ///< ... as this, in order along the thread.
 };
 
 /// All that was seen of one scene.
 struct Trace {
     double tick = 0, diameter = 0;  ///< [s], [m]
     std::vector<Vec3> start;
-    std::vector<double> rest;       ///< [m]
-    std::vector<Frame> frames;      ///< One a tick.
-    std::uint64_t hash = 0;         ///< In the end.
-    int inputs_dropped = 0;         ///< Events of a drill.
+    std::vector<double> rest;   ///< [m]
+    std::vector<Frame> frames;  ///< One a tick.
+    std::uint64_t hash = 0;     ///< In the end.
+    int inputs_dropped = 0;     ///< Events of a drill.
     int breaks = 0;
-    double broke_off = 0;           ///< How far along the thread from where strands touch it broke, the last time [m].
-    std::vector<std::vector<Vec3>> pieces = {};  ///< In the end.
-    double lost = 0;                ///< Of its length, by cuts and breaks [m].
+    double broke_off = 0;  ///< How far along the thread from where strands touch it broke, the last time [m].
+    std::vector<std::vector<Vec3>> pieces = {};        ///< In the end.
+    double lost = 0;                                   ///< Of its length, by cuts and breaks [m].
     std::vector<scenarios::world::Event> events = {};  ///< Of a drill.
     std::vector<tissue::Bite> bites = {};              ///< Of all its vessels in the end.
     std::vector<Threaded> threaded = {};               ///< In the end.

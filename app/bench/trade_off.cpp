@@ -12,7 +12,7 @@ namespace app::bench {
 namespace {
 
 constexpr double sample_length = 1, sample_diameter = 5e-3, sample_speed = 0.1;  // [m], [m], [m/s]
-constexpr double links_long[] = {0.5, 1, 2};  // [diameters]
+constexpr double links_long[] = {0.5, 1, 2};                                     // [diameters]
 constexpr double ticks_ms[] = {0.25, 1, 4};
 
 // "ftl-link05-tick025": a link half a diameter long, a tick of 0.25 ms.
@@ -28,7 +28,11 @@ std::string words_of(double link, double tick_ms) {
 
 PullFigures pull_with(double link, double tick_ms) {
     const int links = static_cast<int>(sample_length / (link * sample_diameter) + 0.5);
-    const PullDef def{.links = links, .speed = sample_speed, .tick = tick_ms / 1000, .diameter = sample_diameter, .length = sample_length};
+    const PullDef def{.links = links,
+                      .speed = sample_speed,
+                      .tick = tick_ms / 1000,
+                      .diameter = sample_diameter,
+                      .length = sample_length};
     const auto start = overhand(def.links, def.length);
     ThreadRope rope(def, start);
     return pull(rope, def, start);
@@ -44,7 +48,8 @@ void add_trade_off(Suite& suite, bool quick, const Progress& progress) {
             const Stopwatch watch;
             const PullFigures found = pull_with(link, tick_ms);
             const double seconds = watch.seconds();
-            const auto add = [&](const std::string& id, const std::string& what, double value, const std::string& unit) {
+            const auto add = [&](const std::string& id, const std::string& what, double value,
+                                 const std::string& unit) {
                 const std::string whole_id = id_of(link, tick_ms) + "-" + id, words = words_of(link, tick_ms) + what;
                 suite.rows.push_back(told(whole_id, words, value, unit, seconds));
             };
@@ -61,7 +66,9 @@ std::string trade_off_picture(const Suite& suite) {
         for (const double link : links_long) {
             Series series{"links of " + digits(link) + " D", {}};
             for (const double tick_ms : ticks_ms)
-                series.points.push_back({value_in(suite, id_of(link, tick_ms) + "-cost"), value_in(suite, id_of(link, tick_ms) + "-" + figure), digits(tick_ms) + " ms"});
+                series.points.push_back({value_in(suite, id_of(link, tick_ms) + "-cost"),
+                                         value_in(suite, id_of(link, tick_ms) + "-" + figure),
+                                         digits(tick_ms) + " ms"});
             made.series.push_back(series);
         }
         return made;

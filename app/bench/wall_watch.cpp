@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 namespace app::bench {
 
 using scenarios::world::SoftVessel;
@@ -19,7 +18,8 @@ double thinnest(const World& world) {
 double smallest_share(const SoftVessel& vessel, const std::vector<double>& volumes) {
     const auto& tetrahedra = vessel.tissue.rest().tetrahedra;
     double least = 1e300;
-    for (std::size_t t = 0; t < tetrahedra.size(); ++t) least = std::min(least, tissue::volume(tetrahedra[t], vessel.tissue.nodes()) / volumes[t]);
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        least = std::min(least, tissue::volume(tetrahedra[t], vessel.tissue.nodes()) / volumes[t]);
     return least;
 }
 
@@ -30,7 +30,8 @@ double off_rest(const SoftVessel& vessel) {
     return most;
 }
 
-// Where along the thread it is in a hole: where a link goes through the hole's plane near what the wire left open; -1 where none does.
+// Where along the thread it is in a hole: where a link goes through the hole's plane near what the wire left open; -1
+// where none does.
 double place_in(const World& world, const tissue::Skin& skin, int hole) {
     constexpr double aside = 2;  // radii: a thread that draws the wall along is ahead of it
     const Vec3 centre = skin.centre(hole), up = skin.normal_of_hole(hole);
@@ -41,7 +42,8 @@ double place_in(const World& world, const tissue::Skin& skin, int hole) {
         const double a = up.dot(nodes[k] - centre), b = up.dot(nodes[k + 1] - centre);
         if ((a < 0) == (b < 0) || world.thread_state().is_cut(static_cast<int>(k))) continue;
         const double share = a / (a - b);
-        if ((nodes[k] + share * (nodes[k + 1] - nodes[k]) - centre).norm() < aside * skin.radius(hole)) return before + share * rest[k];
+        if ((nodes[k] + share * (nodes[k + 1] - nodes[k]) - centre).norm() < aside * skin.radius(hole))
+            return before + share * rest[k];
     }
     return -1;
 }
@@ -50,7 +52,8 @@ std::vector<Threaded> threaded(const World& world) {
     std::vector<Threaded> found;
     for (std::size_t v = 0; v < world.vessels().size(); ++v)
         for (int hole = 0; hole < world.vessels()[v].skin.holes(); ++hole)
-            if (const double along = place_in(world, world.vessels()[v].skin, hole); along >= 0) found.push_back({static_cast<int>(v), hole, along});
+            if (const double along = place_in(world, world.vessels()[v].skin, hole); along >= 0)
+                found.push_back({static_cast<int>(v), hole, along});
     std::sort(found.begin(), found.end(), [](const Threaded& a, const Threaded& b) { return a.along < b.along; });
     return found;
 }
@@ -60,7 +63,8 @@ double thread_in(const World& world, const SoftVessel& vessel) {
     const auto nodes = world.thread();
     double sum = 0;
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-        if (!world.thread_state().is_cut(static_cast<int>(k)) && tissue::is_in_wall(vessel.tissue.rest().tetrahedra, vessel.tissue.nodes(), (nodes[k] + nodes[k + 1]) / 2))
+        if (!world.thread_state().is_cut(static_cast<int>(k)) &&
+            tissue::is_in_wall(vessel.tissue.rest().tetrahedra, vessel.tissue.nodes(), (nodes[k] + nodes[k + 1]) / 2))
             sum += (nodes[k + 1] - nodes[k]).norm();
     return sum;
 }
@@ -70,7 +74,8 @@ double thread_in(const World& world, const SoftVessel& vessel) {
 WallWatch::WallWatch(const World& world) : contact_({}, thinnest(world)), forces_(world.vessels().size()) {
     for (const SoftVessel& vessel : world.vessels()) {
         auto& volumes = volumes_.emplace_back();
-        for (const auto& tet : vessel.tissue.rest().tetrahedra) volumes.push_back(tissue::volume(tet, vessel.tissue.rest().nodes));
+        for (const auto& tet : vessel.tissue.rest().tetrahedra)
+            volumes.push_back(tissue::volume(tet, vessel.tissue.rest().nodes));
     }
 }
 

@@ -4,7 +4,8 @@
 
 namespace app::bench {
 
-/// Looks on at what walls that give way, and the needle, come to in a drill. By where things are, not by what the world has kept of them.
+/// Looks on at what walls that give way, and the needle, come to in a drill. By where things are, not by what the world
+/// has kept of them.
 class WallWatch {
   public:
     explicit WallWatch(const scenarios::world::World& world);

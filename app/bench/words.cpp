@@ -11,12 +11,20 @@ static std::string printed(const char* form, double value) {
     return text;
 }
 
-std::string whole(double value) { return std::to_string(std::lround(value)); }
+std::string whole(double value) {
+    return std::to_string(std::lround(value));
+}
 
-std::string tenths(double value) { return whole(10 * value); }
+std::string tenths(double value) {
+    return whole(10 * value);
+}
 
-std::string digits(double value) { return printed("%g", value); }
+std::string digits(double value) {
+    return printed("%g", value);
+}
 
-std::string figure(double value) { return printed("%.4g", value); }
+std::string figure(double value) {
+    return printed("%.4g", value);
+}
 
 }  // namespace app::bench

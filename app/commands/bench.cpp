@@ -67,7 +67,8 @@ const Known& suite_of(const BenchOptions& options) {
 void check_plot(const BenchOptions& options) {
     if (options.plot.empty()) return;
     if (options.suite == "speed-vs-error") return make_folder("--plot", options.plot);
-    if (options.suite != "speed" && options.suite != "tissue") throw InputFault(options.plot + ": error: --plot: only the suites speed, speed-vs-error and tissue draw any");
+    if (options.suite != "speed" && options.suite != "tissue")
+        throw InputFault(options.plot + ": error: --plot: only the suites speed, speed-vs-error and tissue draw any");
     expect_ending("--plot", options.plot, ".svg");
     expect_writable("--plot", options.plot);
 }
@@ -75,7 +76,8 @@ void check_plot(const BenchOptions& options) {
 void draw(const bench::Suite& suite, const std::string& to) {
     if (suite.name == "speed") return write_file(to, bench::trade_off_picture(suite));
     if (suite.name == "tissue") return write_file(to, bench::tissue_picture(suite));
-    for (const auto& [name, picture] : bench::speed_vs_error_pictures(suite)) write_file(std::filesystem::path(to) / (name + ".svg"), picture);
+    for (const auto& [name, picture] : bench::speed_vs_error_pictures(suite))
+        write_file(std::filesystem::path(to) / (name + ".svg"), picture);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-// What each command may be told, and the command itself: returns the program's exit code, throws what main.cpp turns into
-// one. How it is written on a command line is in app/command_line.cpp.
+// What each command may be told, and the command itself: returns the program's exit code, throws what main.cpp turns
+// into one. How it is written on a command line is in app/command_line.cpp.
 namespace app {
 
 /// Plays a drill's motion without a window, as fast as it can; result, report, recording, frames.

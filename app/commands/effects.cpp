@@ -15,11 +15,12 @@ using scenarios::drill::material_named;
 
 namespace {
 
-constexpr double g = 9.81;               ///< [m/s^2]
-constexpr double handling_N = 0.02;      ///< Tension while a thread is moved about.
-constexpr double slack_N = 1e-4;         ///< Tension of a loop that hangs free.
-constexpr double tissue_pull_N = 0.1;    ///< Pull of a thread on a vessel while a throw is laid.
-constexpr double retention_per_m = 1.35 / 0.4e-3;  ///< [N/m] Pull that tears a wall at a 2 mm bite, by its thickness [Konig2009].
+constexpr double g = 9.81;             ///< [m/s^2]
+constexpr double handling_N = 0.02;    ///< Tension while a thread is moved about.
+constexpr double slack_N = 1e-4;       ///< Tension of a loop that hangs free.
+constexpr double tissue_pull_N = 0.1;  ///< Pull of a thread on a vessel while a throw is laid.
+constexpr double retention_per_m =
+    1.35 / 0.4e-3;                       ///< [N/m] Pull that tears a wall at a 2 mm bite, by its thickness [Konig2009].
 constexpr double pressure_Pa = 13.33e3;  ///< 100 mmHg.
 
 /// What the formulas need of a thread. SI.
@@ -49,8 +50,8 @@ std::string text(const char* format, Values... values) {
     return line;
 }
 
-// A cantilever's tail sags by w L^4 / (8 B), which over L is (L / L_g)^3 / 8 with L_g = (B / w)^(1/3), and no farther than it is long. A
-// thread tied in the open with twice L_g of slack is one that needs it [SurgeryAndPhysics F1].
+// A cantilever's tail sags by w L^4 / (8 B), which over L is (L / L_g)^3 / 8 with L_g = (B / w)^(1/3), and no farther
+// than it is long. A thread tied in the open with twice L_g of slack is one that needs it [SurgeryAndPhysics F1].
 Effect gravity(const Rod& rod) {
     const double gravito_bending = std::cbrt(rod.bending / rod.weight_per_m), ratio = rod.length / gravito_bending;
     const double one_percent = std::cbrt(0.08) * gravito_bending;
@@ -105,7 +106,8 @@ Effect twist(const Rod& rod) {
 
 // Of what every elastic thread does unless it is told not to.
 std::string cost_of_switching_on(const char* effect, const scenarios::world::ThreadDef& thread) {
-    if (thread.model == "elastic") return text("would cost \"%s\" in the effects, next to nothing beside the elastic thread itself", effect);
+    if (thread.model == "elastic")
+        return text("would cost \"%s\" in the effects, next to nothing beside the elastic thread itself", effect);
     return "would cost \"model\": \"elastic\" in the drill's thread";
 }
 
@@ -123,17 +125,23 @@ Effect extension(const Rod& rod, const scenarios::world::ThreadDef& thread) {
         0.01};
 }
 
-// About a strand of its own a thread's axis is bent to 1 / D and its outermost fibres are stretched by a half. Let go of it springs back by
-// 16 / (3 pi) of what begins to yield (RodDef), and a thread that only bends springs straight.
+// About a strand of its own a thread's axis is bent to 1 / D and its outermost fibres are stretched by a half. Let go
+// of it springs back by 16 / (3 pi) of what begins to yield (RodDef), and a thread that only bends springs straight.
 Effect plastic_set(const Rod& rod) {
     if (rod.yield_strain == 0)
-        return {"plastic_set", false, "1 / (2 yield strain)", 0, "nothing is known of when this material yields; a braid's fibres slide instead", "costs nothing"};
+        return {"plastic_set",
+                false,
+                "1 / (2 yield strain)",
+                0,
+                "nothing is known of when this material yields; a braid's fibres slide instead",
+                "costs nothing"};
     const double tight = 0.5, springs = 16 / (3 * std::numbers::pi) * rod.yield_strain;
     return {"plastic_set",
             false,
             "1 / (2 yield strain)",
             tight / rod.yield_strain,
-            text("a throw bent about a strand of its own should keep %.0f %% of its bend, anything bent more sharply than %.2f mm some of it; without it "
+            text("a throw bent about a strand of its own should keep %.0f %% of its bend, anything bent more sharply "
+                 "than %.2f mm some of it; without it "
                  "a knot holds by friction alone",
                  100 * std::max(0.0, 1 - springs / tight), 500 * rod.diameter / springs),
             "would cost \"plastic_set\" in the effects of an elastic thread, one comparison per node",
@@ -147,7 +155,8 @@ const scenarios::world::VesselDef* weakest_vessel(const Drill& drill) {
     const scenarios::world::VesselDef* weakest = nullptr;
     for (const auto& vessel : drill.world.vessels) {
         if (!vessel.mesh_file.empty() && !vessel.is_soft) continue;
-        const bool weaker = !weakest || vessel.is_soft > weakest->is_soft || (vessel.is_soft == weakest->is_soft && vessel.wall < weakest->wall);
+        const bool weaker = !weakest || vessel.is_soft > weakest->is_soft ||
+                            (vessel.is_soft == weakest->is_soft && vessel.wall < weakest->wall);
         if (weaker) weakest = &vessel;
     }
     return weakest;
@@ -164,21 +173,27 @@ double wall_of(const Drill& drill) {
     return vessel ? vessel->wall : usual;
 }
 
-double retention_N(const Drill& drill) { return retention_per_m * wall_of(drill); }
+double retention_N(const Drill& drill) {
+    return retention_per_m * wall_of(drill);
+}
 
 // Local strain of a wall pulled over 1 mm of width: F / (E t w).
 Effect tissue(const Drill& drill) {
     const auto* vessel = weakest_vessel(drill);
-    if (!vessel) return {"tissue", false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate", "costs nothing"};
+    if (!vessel)
+        return {"tissue",       false, "F / (E t w)", 0, "no vessel given by numbers, so nothing to estimate",
+                "costs nothing"};
     const bool on = vessel->is_soft;
     const double strain = tissue_pull_N / (vessel->young_modulus * vessel->wall * 1e-3);
     return {"tissue",
             on,
             "F / (E t w) at 0.1 N, 1 mm",
             strain,
-            text("a pull of 0.1 N should stretch %.1f mm of a wall of %.2f MPa by about %.0f %%; ", 1e3 * vessel->wall, 1e-6 * vessel->young_modulus, 100 * strain) +
+            text("a pull of 0.1 N should stretch %.1f mm of a wall of %.2f MPa by about %.0f %%; ", 1e3 * vessel->wall,
+                 1e-6 * vessel->young_modulus, 100 * strain) +
                 (on ? "the wall gives way" : "the rigid vessel does not give way, so judge knots here, not tissue"),
-            on ? "0.3 ms, a step of one vessel a tick" : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
+            on ? "0.3 ms, a step of one vessel a tick"
+               : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
 Effect tear(const Drill& drill, const Rod& rod) {
@@ -188,8 +203,8 @@ Effect tear(const Drill& drill, const Rod& rod) {
             on,
             "breaking load / retention",
             rod.break_force / retention,
-            text("a %.1f mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", 1e3 * wall_of(drill), retention,
-                 rod.break_force > retention ? "before this thread breaks" : "after this thread breaks",
+            text("a %.1f mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", 1e3 * wall_of(drill),
+                 retention, rod.break_force > retention ? "before this thread breaks" : "after this thread breaks",
                  on ? "each bite does by its own size" : "it never does"),
             on ? "a threshold per puncture" : "would cost a threshold per puncture"};
 }
@@ -244,15 +259,18 @@ Effect air(const scenarios::world::ThreadDef& def) {
             false,
             "1 s / halting time",
             1 / halts,
-            text("what is loose of the thread and has inertia should be halted in %.3f s: let go of at %.0f mm/s it should go %.1f mm in a second and not fly on", halts, speed_mm_s, goes),
+            text("what is loose of the thread and has inertia should be halted in %.3f s: let go of at %.0f mm/s it "
+                 "should go %.1f mm in a second and not fly on",
+                 halts, speed_mm_s, goes),
             "would cost \"air\" in the effects of an elastic thread, one product per node",
             "way too far in a second of what is let go of at 20 mm/s, in mm",
             speed_mm_s - goes};
 }
 
 bool is_on(const scenarios::world::ThreadDef& elastic, const std::string& effect) {
-    return effect == "bending" || (effect == "gravity" && elastic.weighs) || (effect == "extension" && elastic.stretches) ||
-           (effect == "plastic_set" && elastic.yield_strain > 0) || (effect == "inertia" && elastic.swings) || (effect == "air" && elastic.is_in_air);
+    return effect == "bending" || (effect == "gravity" && elastic.weighs) ||
+           (effect == "extension" && elastic.stretches) || (effect == "plastic_set" && elastic.yield_strain > 0) ||
+           (effect == "inertia" && elastic.swings) || (effect == "air" && elastic.is_in_air);
 }
 
 }  // namespace
@@ -260,16 +278,16 @@ bool is_on(const scenarios::world::ThreadDef& elastic, const std::string& effect
 std::vector<Effect> effects_of(const Drill& drill) {
     const Rod rod(drill.world.thread);
     std::vector<Effect> all{friction(drill.world.thread),
-            gravity(rod),
-            bending(rod, drill.world.thread),
-            twist(rod),
-            extension(rod, drill.world.thread),
-            plastic_set(rod),
-            tissue(drill),
-            tear(drill, rod),
-            leak(drill),
-            inertia(rod, drill.world.thread),
-            air(drill.world.thread)};
+                            gravity(rod),
+                            bending(rod, drill.world.thread),
+                            twist(rod),
+                            extension(rod, drill.world.thread),
+                            plastic_set(rod),
+                            tissue(drill),
+                            tear(drill, rod),
+                            leak(drill),
+                            inertia(rod, drill.world.thread),
+                            air(drill.world.thread)};
     const auto& thread = drill.world.thread;
     const bool elastic = thread.model == "elastic";
     for (Effect& effect : all) {
@@ -278,8 +296,10 @@ std::vector<Effect> effects_of(const Drill& drill) {
         if (!elastic || !is_on(thread, effect.name)) continue;
         effect.on = true;
         effect.error = "simulated by the elastic thread: " + effect.error;
-        effect.cost = effect.name == "bending" ? "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot"
-                                               : "nothing that could be told from timing beside the elastic thread itself: carrel bench speed, effects";
+        effect.cost = effect.name == "bending"
+                          ? "the elastic thread: of 200 links 0.1 ms a tick when loose, 0.3 ms in an overhand knot"
+                          : "nothing that could be told from timing beside the elastic thread itself: carrel bench "
+                            "speed, effects";
     }
     return all;
 }

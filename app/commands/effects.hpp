@@ -15,9 +15,12 @@ struct Effect {
     double value = 0;   ///< Of that group, for this thread and length.
     std::string error;  ///< What leaving it out gets wrong here, with numbers.
     std::string cost;   ///< Of a tick: what it costs now, or would.
-    std::string predicted_of = {};  ///< What `predicted` is a figure of; "" where leaving it out gets no one figure wrong.
-    double predicted = 0;           ///< How large the effect is: what leaving it out gets wrong, to within a factor of 3 up to 1.
-    std::optional<double> needed_above = {};  ///< Value of the group above which a thread needs it, where a drill can have it.
+    std::string predicted_of =
+        {};  ///< What `predicted` is a figure of; "" where leaving it out gets no one figure wrong.
+    double predicted =
+        0;  ///< How large the effect is: what leaving it out gets wrong, to within a factor of 3 up to 1.
+    std::optional<double> needed_above =
+        {};  ///< Value of the group above which a thread needs it, where a drill can have it.
 
     bool is_missed() const { return !on && needed_above && value > *needed_above; }
 };

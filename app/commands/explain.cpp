@@ -25,7 +25,8 @@ void print_json(const scenarios::drill::Drill& drill) {
                            {"value", effect.value},
                            {"error", effect.error},
                            {"cost", effect.cost}});
-        if (!effect.predicted_of.empty()) effects.back().update({{"predicted_of", effect.predicted_of}, {"predicted", effect.predicted}});
+        if (!effect.predicted_of.empty())
+            effects.back().update({{"predicted_of", effect.predicted_of}, {"predicted", effect.predicted}});
     }
     const nlohmann::ordered_json report = {{"effects", effects},
                                            {"drill", nlohmann::ordered_json::parse(drill.filled)}};
@@ -39,7 +40,8 @@ std::string bands_left_out(const scenarios::drill::Drill& drill) {
     for (const auto& key : scenarios::drill::drill_shape().keys)
         if (key.name == "bands")
             for (const auto& band : key.shape.keys)
-                if (!given.contains(band.name) || given[band.name].empty()) free += (free.empty() ? "" : ", ") + band.name;
+                if (!given.contains(band.name) || given[band.name].empty())
+                    free += (free.empty() ? "" : ", ") + band.name;
     return free;
 }
 
@@ -48,11 +50,13 @@ void print(const scenarios::drill::Drill& drill) {
     for (const auto& effect : effects_of(drill)) {
         std::cout << effect.name << ": " << (effect.on ? "on" : "off") << "\n    " << effect.group << " = "
                   << shown(effect.value) << "\n    " << effect.error << "\n    ";
-        if (!effect.predicted_of.empty()) std::cout << effect.predicted_of << ": " << shown(effect.predicted) << "\n    ";
+        if (!effect.predicted_of.empty())
+            std::cout << effect.predicted_of << ": " << shown(effect.predicted) << "\n    ";
         std::cout << effect.cost << '\n';
     }
     std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';
-    if (const std::string free = bands_left_out(drill); !free.empty()) std::cout << "\nBands that it does not have, so that these are shown and not judged: " << free << ".\n";
+    if (const std::string free = bands_left_out(drill); !free.empty())
+        std::cout << "\nBands that it does not have, so that these are shown and not judged: " << free << ".\n";
 }
 
 }  // namespace

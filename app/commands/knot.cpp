@@ -29,10 +29,12 @@ assets::Curve load(const std::string& file) {
     }
 }
 
-// An object whose ends are hardly farther apart than its vertices are elsewhere is a closed one, its first vertex not repeated.
+// An object whose ends are hardly farther apart than its vertices are elsewhere is a closed one, its first vertex not
+// repeated.
 bool is_ring(const std::vector<sim::knot::Vec3>& vertices) {
     double longest = 0;
-    for (std::size_t i = 1; i < vertices.size(); ++i) longest = std::max(longest, (vertices[i] - vertices[i - 1]).norm());
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+        longest = std::max(longest, (vertices[i] - vertices[i - 1]).norm());
     return vertices.size() > 3 && (vertices.back() - vertices.front()).norm() <= 1.5 * longest;
 }
 
@@ -105,7 +107,8 @@ void print(const Answer& answer) {
     if (n.knot == "unknown" && n.crossings_reduced < 0) std::cout << " (too many crossings to count)";
     if (n.knot == "unknown" && n.crossings_reduced >= 0) std::cout << " (" << n.crossings_reduced << " crossings left)";
     if (!n.surgical.empty()) std::cout << ", " << n.surgical;
-    if (!n.throws.empty()) std::cout << " (" << n.throws << ")" << (n.flat ? "" : ", capsized: half hitches " + n.half_hitches);
+    if (!n.throws.empty())
+        std::cout << " (" << n.throws << ")" << (n.flat ? "" : ", capsized: half hitches " + n.half_hitches);
     if (!n.certain && !n.candidates.empty()) {
         std::cout << ", not certain:";
         for (const std::string& c : n.candidates) std::cout << ' ' << c;
@@ -127,8 +130,10 @@ int knot_command(const KnotOptions& options) {
     for (const std::string& file : options.curves) {  // each is told at once: thousands take a while
         try {
             const Answer answer = name(file, around, options.closed);
-            if (options.json) all["curves"].push_back(to_json(answer));
-            else print(answer);
+            if (options.json)
+                all["curves"].push_back(to_json(answer));
+            else
+                print(answer);
         } catch (const InputFault& fault) {  // the others are named all the same
             std::cerr << one_line(fault.what());
             exit = 2;

@@ -59,7 +59,8 @@ int render_command(const RenderOptions& options) {
     const Source source = is_drill ? from_drill(options.source) : from_recording(options.source);
     const double at_s = options.at_s.value_or(is_drill ? 0 : source.duration_s);
     if (!(at_s >= 0 && at_s <= source.duration_s))
-        throw InputFault("--at " + report::number(at_s, 3) + ": error: expected 0 to " + report::number(source.duration_s, 3) + " s");
+        throw InputFault("--at " + report::number(at_s, 3) + ": error: expected 0 to " +
+                         report::number(source.duration_s, 3) + " s");
     std::vector<ToolInput> inputs(source.drill.world.instruments.size());
     source.inputs_at(0, inputs);
     Session session(source.drill, inputs);
@@ -71,7 +72,9 @@ int render_command(const RenderOptions& options) {
     Snapshot snapshot = session.snapshot("");
     if (options.close) {
         auto near = session.close_snapshot();
-        if (!near) throw InputFault(options.source + ": error: --close: there is no knot and no bite at " + report::number(at_s, 3) + " s");
+        if (!near)
+            throw InputFault(options.source + ": error: --close: there is no knot and no bite at " +
+                             report::number(at_s, 3) + " s");
         snapshot = std::move(*near);
     }
     const auto png = picture_of(session, snapshot);

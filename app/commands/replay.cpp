@@ -46,7 +46,8 @@ Comparison play(Session& session, const Recording& recording, bool to_the_end) {
     return comparison;
 }
 
-// A session that came to its end stored the hash of its last tick, on which all before have had their influence; one that was broken off may lack its last.
+// A session that came to its end stored the hash of its last tick, on which all before have had their influence; one
+// that was broken off may lack its last.
 bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
     const auto& hashes = recording.hashes;
     if (compared < hashes.size() || compared + 1 < recording.ticks() / scenarios::recording::hash_period) return false;
@@ -54,10 +55,15 @@ bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
 }
 
 std::string said(const scenarios::drill::ScoreItem& item) {
-    return item.name + " (" + item.title + ") " + item.value + (item.unit.empty() ? "" : " " + item.unit) + ", asked \"" + item.band + "\", " + (item.passed ? "passed" : "missed") + " at " + std::to_string(item.at_s) + " s, \"" + item.why + "\"";
+    return item.name + " (" + item.title + ") " + item.value + (item.unit.empty() ? "" : " " + item.unit) +
+           ", asked \"" + item.band + "\", " + (item.passed ? "passed" : "missed") + " at " +
+           std::to_string(item.at_s) + " s, \"" + item.why + "\"";
 }
 
-std::string said(const scenarios::world::Event& event) { return event.kind + " " + event.what + " " + std::to_string(event.value) + " at " + std::to_string(event.t_s) + " s"; }
+std::string said(const scenarios::world::Event& event) {
+    return event.kind + " " + event.what + " " + std::to_string(event.value) + " at " + std::to_string(event.t_s) +
+           " s";
+}
 
 // Or a recording could be given another verdict or course: the states say nothing of what was asked.
 template <class All>
@@ -65,7 +71,9 @@ void compare(const std::string& file, const char* what, const All& stored, const
     for (std::size_t i = 0; i < std::max(stored.size(), found.size()); ++i) {
         const auto at = [i](const All& all) { return i < all.size() ? said(all[i]) : "nothing"; };
         const bool is_same = i < stored.size() && i < found.size() && stored[i] == found[i];
-        if (!is_same) throw CheckFailed(file + ": error: the " + what + " differ, recorded " + at(stored) + ", replayed " + at(found));
+        if (!is_same)
+            throw CheckFailed(file + ": error: the " + what + " differ, recorded " + at(stored) + ", replayed " +
+                              at(found));
     }
 }
 
@@ -81,7 +89,8 @@ int replay_command(const ReplayOptions& options) {
     result.finished = recording.finished;
     result.passed = result.passed && recording.finished;
     if (!options.out.empty()) write_output(options.out, session, result, {});
-    if (options.json || !options.verify) std::cout << (options.json ? report::result_json(result) : score_table(result));
+    if (options.json || !options.verify)
+        std::cout << (options.json ? report::result_json(result) : score_table(result));
     if (const auto fault = recording.fault(options.recording)) throw InputFault(*fault);
     if (options.verify && difference) throw CheckFailed(in_words(options.recording, *difference));
     if (options.verify && !all_hashes_are_there(recording, compared))
@@ -93,7 +102,8 @@ int replay_command(const ReplayOptions& options) {
     }
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
-                  << (recording.finished ? " stored hashes equal, and all scores and events\n" : " stored hashes equal; it was broken off there, so that no score counts\n");
+                  << (recording.finished ? " stored hashes equal, and all scores and events\n"
+                                         : " stored hashes equal; it was broken off there, so that no score counts\n");
     return 0;
 }
 

@@ -38,7 +38,8 @@ void check_range(const char* option, double value, double low, double high, cons
 
 void check(const RopeOptions& o) {
     if (o.thread != "ftl" && o.thread != "elastic") fail("--thread", "expected ftl or elastic, found " + o.thread);
-    if (o.gravity && o.thread != "elastic") fail("--gravity", "a thread moved by ftl has no weight, expected --thread elastic beside it");
+    if (o.gravity && o.thread != "elastic")
+        fail("--gravity", "a thread moved by ftl has no weight, expected --thread elastic beside it");
     check_range("--radius", o.radius_mm, 1e-3, 100, " mm");
     check_range("--friction", o.friction, 0, 10, "");
     check_range("--tick", o.tick_s, 1e-6, 1, " s");
@@ -84,19 +85,22 @@ void resample(rope::Experiment& experiment, int links, const RopeOptions& option
         const int given_node = held.node;
         held.node = static_cast<int>(std::lround(passed[static_cast<std::size_t>(given_node)] / passed.back() * links));
         if (held.node == previous)
-            fail(options.motion, "node " + std::to_string(given_node) + " and the one before fall together with --links " +
-                                  std::to_string(links) + ", expected more links");
+            fail(options.motion, "node " + std::to_string(given_node) +
+                                     " and the one before fall together with --links " + std::to_string(links) +
+                                     ", expected more links");
         previous = held.node;
     }
     std::vector<Vec3> nodes = sim::geometry::resample(given, links);
     const sim::knot::Name as_given = sim::knot::name_knot(given), as_laid = sim::knot::name_knot(nodes);
     if (as_given.certain && as_laid.certain && as_given.knot != as_laid.knot)
-        fail(options.curve, "--links: the curve is knotted as " + as_given.knot + ", of " + std::to_string(links) + " links as " + as_laid.knot + ", expected more links");
+        fail(options.curve, "--links: the curve is knotted as " + as_given.knot + ", of " + std::to_string(links) +
+                                " links as " + as_laid.knot + ", expected more links");
     experiment.nodes = std::move(nodes);
 }
 
-// Of an ftl thread the neighbours of one link of a thirtieth of the radius, far longer than it, have passed each other: they are too near along the thread to
-// be contacts, and bends are limited node by node, to no better than such a link is long. Of a sixth they have not, nor where all links are as short.
+// Of an ftl thread the neighbours of one link of a thirtieth of the radius, far longer than it, have passed each other:
+// they are too near along the thread to be contacts, and bends are limited node by node, to no better than such a link
+// is long. Of a sixth they have not, nor where all links are as short.
 void check_links(const RopeOptions& options, const std::vector<Vec3>& nodes) {
     const double least = 1e-3 * options.radius_mm / 10;
     std::vector<double> links;
@@ -105,8 +109,9 @@ void check_links(const RopeOptions& options, const std::vector<Vec3>& nodes) {
         const double longer = std::max(i > 0 ? links[i - 1] : 0, i + 1 < links.size() ? links[i + 1] : 0);
         if (links[i] >= least || links[i] >= longer / 10) continue;
         std::ostringstream what;
-        what << "vertices " << i << " and " << i + 1 << " are " << 1000 * links[i] << " mm apart, the next " << 1000 * longer << " mm: expected at least "
-             << 1000 * least << " mm, a tenth of the radius, or even links: leave one out, or ask for them by --links";
+        what << "vertices " << i << " and " << i + 1 << " are " << 1000 * links[i] << " mm apart, the next "
+             << 1000 * longer << " mm: expected at least " << 1000 * least
+             << " mm, a tenth of the radius, or even links: leave one out, or ask for them by --links";
         fail(options.curve, what.str());
     }
 }
@@ -119,7 +124,8 @@ rope::Experiment read(const RopeOptions& options) {
                          .friction_tool = options.friction,
                          .axial_stiffness = options.young_MPa * 1e6 * std::numbers::pi * radius * radius};
     if (options.thread == "elastic") {
-        experiment.thread.elastic = {.young = options.young_MPa * 1e6, .density = options.density_kg_m3, .axial_over_bending = 0};
+        experiment.thread.elastic = {
+            .young = options.young_MPa * 1e6, .density = options.density_kg_m3, .axial_over_bending = 0};
         if (options.gravity) experiment.thread.elastic->gravity = {0, 0, -9.81};
     }
     experiment.nodes = read_curve(options.curve);
@@ -127,7 +133,8 @@ rope::Experiment read(const RopeOptions& options) {
     if (options.links) resample(experiment, static_cast<int>(*options.links), options);
     if (!experiment.thread.elastic) check_links(options, experiment.nodes);
     if (experiment.thread.elastic && experiment.nodes.size() < 3)
-        fail(options.links ? "--links" : options.curve, "an elastic thread bends at its inner nodes, expected at least 2 links");
+        fail(options.links ? "--links" : options.curve,
+             "an elastic thread bends at its inner nodes, expected at least 2 links");
     experiment.tick = options.tick_s;
     experiment.every = static_cast<int>(options.every);
     const double ticks = rope::ticks_of(experiment);
@@ -140,7 +147,8 @@ rope::Experiment read(const RopeOptions& options) {
 // Nearer than it is thick it is pushed out; where its middle line touches no side is out.
 void check_start(const std::string& file, const std::vector<Vec3>& nodes, double radius, const TriangleTree& obstacle) {
     if (const int link = sim::geometry::first_nearer(nodes, obstacle, 0.1 * radius); link >= 0)
-        fail(file, "link " + std::to_string(link) + " of the thread starts through the obstacle, expected to start clear of it");
+        fail(file, "link " + std::to_string(link) +
+                       " of the thread starts through the obstacle, expected to start clear of it");
 }
 
 bool both_ends_held_throughout(const rope::Experiment& experiment) {

@@ -35,8 +35,8 @@ std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& op
 }
 
 // One tick after another; what was recorded is safe up to the last flush whatever happens after it.
-std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& motion, std::uint64_t ticks, int most_frames,
-                           std::optional<scenarios::recording::Recorder>& recorder) {
+std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& motion, std::uint64_t ticks,
+                           int most_frames, std::optional<scenarios::recording::Recorder>& recorder) {
     const double tick_s = session.drill().world.tick_s;
     std::vector<ToolInput> inputs(session.drill().world.instruments.size());
     std::vector<Snapshot> frames;
@@ -50,8 +50,10 @@ std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& mot
         if (recorder) {
             recorder->add_tick(inputs);
             using scenarios::recording::hash_period;
-            if ((tick + 1) % hash_period == 0 || tick + 1 == ticks) recorder->add_hash(tick + 1, session.world().hash());
-            for (const auto all = session.world().events(); events < all.size(); ++events) recorder->add_event(all[events]);
+            if ((tick + 1) % hash_period == 0 || tick + 1 == ticks)
+                recorder->add_hash(tick + 1, session.world().hash());
+            for (const auto all = session.world().events(); events < all.size(); ++events)
+                recorder->add_event(all[events]);
         }
         progress.at(session.world().time_s());
     }
@@ -66,20 +68,29 @@ int run_command(const RunOptions& options) {
         if (options.thread != "ftl" && options.thread != "elastic")
             throw InputFault("--thread: error: expected ftl or elastic, found " + options.thread);
         if (!options.record.empty() && options.thread != drill.world.thread.model)
-            throw InputFault("--thread " + options.thread + ": error: a recording is of the drill as it is, expected \"model\": \"" + options.thread + "\" in " + options.drill);
+            throw InputFault("--thread " + options.thread +
+                             ": error: a recording is of the drill as it is, expected \"model\": \"" + options.thread +
+                             "\" in " + options.drill);
         const auto feels = [](const scenarios::world::InstrumentDef& of) { return std::isfinite(of.pull); };
-        if (const auto& all = drill.world.instruments; options.thread == "ftl" && std::any_of(all.begin(), all.end(), feels))
-            throw InputFault("--thread ftl: error: a thread moved by ftl has no forces to feel, expected no \"pull_N\" in " + options.drill);
+        if (const auto& all = drill.world.instruments;
+            options.thread == "ftl" && std::any_of(all.begin(), all.end(), feels))
+            throw InputFault(
+                "--thread ftl: error: a thread moved by ftl has no forces to feel, expected no \"pull_N\" in " +
+                options.drill);
         if (options.thread == "ftl" && (drill.world.thread.weighs || drill.world.thread.yield_strain > 0))
-            throw InputFault("--thread ftl: error: a thread moved by ftl has neither weight nor plastic set, expected both off in " + options.drill);
+            throw InputFault(
+                "--thread ftl: error: a thread moved by ftl has neither weight nor plastic set, expected both off in " +
+                options.drill);
         drill.world.thread.model = options.thread;
     }
-    const std::filesystem::path motion_file = options.input.empty() ? drill.motion : std::filesystem::path(options.input);
+    const std::filesystem::path motion_file =
+        options.input.empty() ? drill.motion : std::filesystem::path(options.input);
     if (motion_file.empty())
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
     const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
 
-    if (const std::string lost = motion.cut_short_at(drill.time_limit_s); !lost.empty()) std::cerr << options.drill << ": warning: " << lost << '\n';
+    if (const std::string lost = motion.cut_short_at(drill.time_limit_s); !lost.empty())
+        std::cerr << options.drill << ": warning: " << lost << '\n';
 
     std::vector<ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);

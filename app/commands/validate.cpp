@@ -20,7 +20,8 @@ std::vector<std::string> missed(const scenarios::drill::Drill& drill) {
         if (!effect.is_missed()) continue;
         std::ostringstream text;
         text.precision(3);
-        text << "/effects/" << effect.name << ": off, but " << effect.group << " is " << effect.value << ", above " << *effect.needed_above << ": " << effect.error;
+        text << "/effects/" << effect.name << ": off, but " << effect.group << " is " << effect.value << ", above "
+             << *effect.needed_above << ": " << effect.error;
         if (!drill.motion.empty()) text << "; its motion was tuned without, play it again with it on";
         sentences.push_back(text.str());
     }
@@ -36,7 +37,9 @@ std::vector<std::string> check(const std::string& file) {
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
     auto warnings = missed(drill);
-    if (const std::string lost = scenarios::drill::load_motion(drill.motion, names).cut_short_at(drill.time_limit_s); !lost.empty()) warnings.push_back(lost);
+    if (const std::string lost = scenarios::drill::load_motion(drill.motion, names).cut_short_at(drill.time_limit_s);
+        !lost.empty())
+        warnings.push_back(lost);
     return warnings;
 }
 

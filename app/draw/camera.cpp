@@ -22,7 +22,9 @@ Camera close_view(const Vec3& point, double radius, const Vec3& outwards) {
 }
 
 // 18.5 mm up and down are 25 mm to either side, with room to spare, in a picture of 3 to 2.
-Camera default_view() { return seen_from(towards_eye, Vec3::Zero(), 18.5e-3); }
+Camera default_view() {
+    return seen_from(towards_eye, Vec3::Zero(), 18.5e-3);
+}
 
 // In the camera's axes a point p is within the right edge when p.x + t p.z <= c.x + t c.z, c the eye and t the tangent
 // of half the field; so the edges are each tight for one point, and the eye stands where the tighter pair meets.
@@ -35,8 +37,8 @@ Camera view_of(const std::vector<Vec3>& points, double aspect) {
     Vec3 mean = Vec3::Zero();
     for (const Vec3& point : points) {
         const Vec3 p = axes * point;
-        edge = edge.cwiseMax(Eigen::Vector4d(p.x() + across * p.z(), -p.x() + across * p.z(), p.y() + up * p.z(),
-                                             -p.y() + up * p.z()));
+        edge = edge.cwiseMax(
+            Eigen::Vector4d(p.x() + across * p.z(), -p.x() + across * p.z(), p.y() + up * p.z(), -p.y() + up * p.z()));
         mean += p / static_cast<double>(points.size());
     }
     const double back = std::max((edge[0] + edge[1]) / (2 * across), (edge[2] + edge[3]) / (2 * up));
@@ -54,10 +56,16 @@ Eigen::Matrix3d axes_of(const Camera& camera) {
     return axes;
 }
 
-double half_height(const Camera& camera) { return std::tan(camera.field_of_view / 2); }
+double half_height(const Camera& camera) {
+    return std::tan(camera.field_of_view / 2);
+}
 
-double near_plane(const Camera& camera) { return (camera.position - camera.target).norm() * camera.cut_off; }
-double far_plane(const Camera& camera) { return (camera.position - camera.target).norm() * 50; }
+double near_plane(const Camera& camera) {
+    return (camera.position - camera.target).norm() * camera.cut_off;
+}
+double far_plane(const Camera& camera) {
+    return (camera.position - camera.target).norm() * 50;
+}
 
 Eigen::Matrix4d clip_from_world(const Camera& camera, double aspect) {
     const double near = near_plane(camera), far = far_plane(camera), scale = 1 / half_height(camera);

@@ -96,10 +96,16 @@ Scene scene_of(const Picture& picture) {
     for (const ToolPicture& one : picture.tools)
         for (const assets::Mesh& part : tool(one)) scene.add(part, steel);
     for (const std::vector<Vec3>& piece : picture.thread) scene.add(tube(piece, radius_at), suture);
-    for (const std::vector<Vec3>& wire : picture.wires) scene.add(tube(wire, [&](const Vec3&) { return picture.wire_radius; }), steel);
+    for (const std::vector<Vec3>& wire : picture.wires)
+        scene.add(tube(wire, [&](const Vec3&) { return picture.wire_radius; }), steel);
     // A taper point: ten times as long as its wire is thick.
     for (const std::vector<Vec3>& needle : picture.needles)
-        scene.add(tube(needle, [&](const Vec3& p) { return std::min(picture.needle_radius, 0.02 * picture.needle_radius + (p - needle.back()).norm() / 20); }), steel);
+        scene.add(tube(needle,
+                       [&](const Vec3& p) {
+                           return std::min(picture.needle_radius,
+                                           0.02 * picture.needle_radius + (p - needle.back()).norm() / 20);
+                       }),
+                  steel);
     return scene;
 }
 
@@ -117,7 +123,8 @@ Eigen::Matrix4d shadow_from_world(const Vec3& target, const Vec3& to_key, double
 void upload(Gpu& gpu, const Surface& surface) {
     gpu.gl.BindVertexArray(gpu.array);
     gpu.gl.BindBuffer(GL_ARRAY_BUFFER, gpu.buffers[0]);
-    gpu.gl.BufferData(GL_ARRAY_BUFFER, surface.vertices.size() * sizeof(Vertex), surface.vertices.data(), GL_STREAM_DRAW);
+    gpu.gl.BufferData(GL_ARRAY_BUFFER, surface.vertices.size() * sizeof(Vertex), surface.vertices.data(),
+                      GL_STREAM_DRAW);
     gpu.gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, surface.indices.size() * sizeof(unsigned), surface.indices.data(),
                       GL_STREAM_DRAW);
 }

@@ -5,19 +5,30 @@
 namespace app::draw {
 
 Context::Context() {
-    const int wanted[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 0, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                          OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    const int wanted[] = {OSMESA_FORMAT,
+                          OSMESA_RGBA,
+                          OSMESA_DEPTH_BITS,
+                          0,
+                          OSMESA_PROFILE,
+                          OSMESA_CORE_PROFILE,
+                          OSMESA_CONTEXT_MAJOR_VERSION,
+                          3,
+                          OSMESA_CONTEXT_MINOR_VERSION,
+                          3,
+                          0};
     context_ = OSMesaCreateContextAttribs(wanted, nullptr);
     if (!context_) throw DrawError("cannot draw: OSMesa gives no OpenGL 3.3 core context");
     make_current();
-#define CARREL_GL_LOAD(TYPE, name)                                                       \
+#define CARREL_GL_LOAD(TYPE, name)                                                   \
     gl.name = reinterpret_cast<PFNGL##TYPE##PROC>(OSMesaGetProcAddress("gl" #name)); \
     if (!gl.name) throw DrawError("cannot draw: OSMesa has no gl" #name);
     CARREL_GL_FUNCTIONS(CARREL_GL_LOAD)
 #undef CARREL_GL_LOAD
 }
 
-Context::~Context() { OSMesaDestroyContext(static_cast<OSMesaContext>(context_)); }
+Context::~Context() {
+    OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
+}
 
 void Context::make_current() {
     if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(context_), own_, GL_UNSIGNED_BYTE, 16, 16))
@@ -63,8 +74,7 @@ void Target::draw_here() const {
     gl_.Viewport(0, 0, width, height);
 }
 
-Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment)
-    : gl_(gl), id_(gl.CreateProgram()) {
+Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment) : gl_(gl), id_(gl.CreateProgram()) {
     const auto attach = [&](unsigned kind, const std::string& text) {
         const std::string whole = "#version 330 core\n" + text;
         const char* source = whole.c_str();
@@ -85,7 +95,9 @@ Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment)
     throw DrawError(std::string("cannot draw: a shader does not compile: ") + log);
 }
 
-Program::~Program() { gl_.DeleteProgram(id_); }
+Program::~Program() {
+    gl_.DeleteProgram(id_);
+}
 
 void Program::set(const char* name, const Vec3& value) const {
     gl_.Uniform3fv(at(name), 1, value.cast<float>().eval().data());

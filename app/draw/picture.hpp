@@ -14,7 +14,7 @@ using sim::geometry::Vec3;
 struct Camera {
     Vec3 position, target, up = Vec3::UnitZ();  ///< [m], world; up has no unit.
     double field_of_view = 0.5;                 ///< Vertical [rad], in (0, pi).
-    double cut_off = 0.02;                      ///< What is nearer than this share of the way to the target is not drawn, in (0, 1).
+    double cut_off = 0.02;  ///< What is nearer than this share of the way to the target is not drawn, in (0, 1).
 };
 
 /// The operative field, 25 mm to either side of the origin, from the front (-y) and above.
@@ -24,8 +24,9 @@ Camera default_view();
 /// aspect: the picture's width over its height. The points must not all be one.
 Camera view_of(const std::vector<Vec3>& points, double aspect);
 
-/// A ball filling the height of the picture, from where default_view() looks, or from the mirror image of that in the plane across `outwards` where it would
-/// look the other way: what lies under a vessel is seen from below. outwards: unit, or zero for any side; radius > 0 [m].
+/// A ball filling the height of the picture, from where default_view() looks, or from the mirror image of that in the
+/// plane across `outwards` where it would look the other way: what lies under a vessel is seen from below. outwards:
+/// unit, or zero for any side; radius > 0 [m].
 Camera close_view(const Vec3& point, double radius, const Vec3& outwards);
 
 struct ToolPicture {
@@ -36,12 +37,13 @@ struct ToolPicture {
 
 /// All that is to be seen, in the world frame.
 struct Picture {
-    std::vector<std::vector<Vec3>> thread;  ///< Its pieces: nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
+    std::vector<std::vector<Vec3>>
+        thread;  ///< Its pieces: nodes along the centre line [m]; fewer than two apart: a ball, or nothing.
     double thread_radius = 50e-6;  ///< [m] Drawn true, yet nowhere under 1.6 pixels, or a fine thread would vanish.
     std::vector<std::vector<Vec3>> needles;  ///< From tail to tip [m].
-    double needle_radius = 0;      ///< Of their wire [m].
-    std::vector<std::vector<Vec3>> wires;  ///< Of clamps, as the thread's pieces.
-    double wire_radius = 0.2e-3;   ///< [m]
+    double needle_radius = 0;                ///< Of their wire [m].
+    std::vector<std::vector<Vec3>> wires;    ///< Of clamps, as the thread's pieces.
+    double wire_radius = 0.2e-3;             ///< [m]
     std::vector<ToolPicture> tools;
     std::vector<assets::Mesh> vessels;
     Camera camera = default_view();

@@ -1,6 +1,7 @@
 #pragma once
 
-/// The shaders, OpenGL 3.3 (GLSL 330). World in metres; colours are worked out in light and kept as a screen wants them.
+/// The shaders, OpenGL 3.3 (GLSL 330). World in metres; colours are worked out in light and kept as a screen wants
+/// them.
 namespace app::draw::shaders {
 
 inline constexpr char solid_vertex[] = R"(

@@ -39,7 +39,8 @@ assets::Mesh shaft_of(const ToolShape& shape) {
     const double r = shape.shaft_radius, length = shape.shaft_length;
     std::vector<Slice> slices;
     const auto add = [&](double z, double radius) { slices.push_back({z, radius, radius, radius}); };
-    for (int i = 7; i > 0; --i) add(-r * std::sin(std::numbers::pi / 2 * i / 8), r * std::cos(std::numbers::pi / 2 * i / 8));
+    for (int i = 7; i > 0; --i)
+        add(-r * std::sin(std::numbers::pi / 2 * i / 8), r * std::cos(std::numbers::pi / 2 * i / 8));
     add(0, r);
     const double pitch = 0.8 * r, first = 0.18 * length;
     for (int groove = 0; groove < 12; ++groove)
@@ -103,7 +104,8 @@ std::vector<assets::Mesh> tool(const ToolPicture& picture) {
     const Capsule &shaft = parts[instruments::shaft], &plus = parts[instruments::jaw_plus],
                   &minus = parts[instruments::jaw_minus];
     const Eigen::Matrix3d axes = frame(shaft, y);
-    return {moved(shaft_of(shape), shaft.b, axes), moved(pin_of(shape), shaft.b + 0.45 * shape.shaft_radius * axes.col(2), axes * upright),
+    return {moved(shaft_of(shape), shaft.b, axes),
+            moved(pin_of(shape), shaft.b + 0.45 * shape.shaft_radius * axes.col(2), axes * upright),
             moved(jaw, plus.a, frame(plus, y)), moved(jaw, minus.a, frame(minus, y) * turned)};
 }
 

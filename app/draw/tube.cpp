@@ -13,7 +13,8 @@ std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int steps) {
     const int last = static_cast<int>(points.size()) - 1;
     const auto chord = [&](int i) { return (points[i + 1] - points[i]).norm(); };
     const auto slope = [&](int i) -> Vec3 {
-        if (i == 0 || i == last) return (points[std::min(i + 1, last)] - points[std::max(i - 1, 0)]) / chord(i ? i - 1 : 0);
+        if (i == 0 || i == last)
+            return (points[std::min(i + 1, last)] - points[std::max(i - 1, 0)]) / chord(i ? i - 1 : 0);
         const double before = chord(i - 1), after = chord(i);
         return (after / before * (points[i] - points[i - 1]) + before / after * (points[i + 1] - points[i])) /
                (before + after);
@@ -56,7 +57,8 @@ assets::Mesh tube(const std::vector<Vec3>& points, const std::function<double(co
     Vec3 along = direction(0), u = along.unitOrthogonal();
     const auto cap = [&](const Vec3& centre, double side, int i) {  // ring i of cap_rings, 0 the equator
         const double angle = std::numbers::pi / 2 * i / cap_rings, radius = radius_at(centre);
-        rings.push_back(ring(centre + side * radius * std::sin(angle) * along, u, along.cross(u), radius * std::cos(angle)));
+        rings.push_back(
+            ring(centre + side * radius * std::sin(angle) * along, u, along.cross(u), radius * std::cos(angle)));
     };
     for (int i = cap_rings - 1; i > 0; --i) cap(curve.front(), -1, i);
     const Vec3 first_pole = curve.front() - radius_at(curve.front()) * along;

@@ -21,7 +21,9 @@ std::vector<Asset> assets_of(const scenarios::world::WorldDef& world) {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& file, const std::string& what) { throw InputFault(file + ": error: " + what); }
+[[noreturn]] void refuse(const std::string& file, const std::string& what) {
+    throw InputFault(file + ": error: " + what);
+}
 
 Drill drill_of(const Recording& recording, const std::string& file) try {
     const auto& name = recording.head.drill_name;
@@ -44,7 +46,9 @@ void check_first_inputs(const Recording& recording, const Drill& drill, const st
     const auto inputs = recording.tick(0);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const auto& instrument = drill.world.instruments[i];
-        if (!instruments::usable(inputs[i], instruments::shape_of(instrument.kind))) refuse(file, "the first input of \"" + instrument.name + "\" is damaged, expected a pose and a jaw in numbers");
+        if (!instruments::usable(inputs[i], instruments::shape_of(instrument.kind)))
+            refuse(file,
+                   "the first input of \"" + instrument.name + "\" is damaged, expected a pose and a jaw in numbers");
     }
 }
 
@@ -52,8 +56,10 @@ void check_first_inputs(const Recording& recording, const Drill& drill, const st
 void find_meshes(Drill& drill, const std::string& file) {
     for (auto& vessel : drill.world.vessels) {
         if (vessel.mesh_file.empty() || std::filesystem::exists(vessel.mesh_file)) continue;
-        const auto beside = std::filesystem::path(file).parent_path() / std::filesystem::path(vessel.mesh_file).filename();
-        if (!std::filesystem::exists(beside)) refuse(file, "its mesh " + vessel.mesh_file + " is not there, expected it there or at " + beside.string());
+        const auto beside =
+            std::filesystem::path(file).parent_path() / std::filesystem::path(vessel.mesh_file).filename();
+        if (!std::filesystem::exists(beside))
+            refuse(file, "its mesh " + vessel.mesh_file + " is not there, expected it there or at " + beside.string());
         vessel.mesh_file = beside.string();
     }
 }
@@ -62,14 +68,16 @@ void check_meshes(const Recording& recording, const Drill& drill, const std::str
     const std::vector<Asset> now = assets_of(drill.world);
     for (std::size_t i = 0; i < now.size(); ++i)
         if (i >= recording.head.assets.size() || recording.head.assets[i].sha256 != now[i].sha256)
-            refuse(file, "was recorded with another mesh than " + now[i].name + " now is, its SHA-256 is " + now[i].sha256);
+            refuse(file,
+                   "was recorded with another mesh than " + now[i].name + " now is, its SHA-256 is " + now[i].sha256);
 }
 
 }  // namespace
 
 Recorded load_recorded(const std::string& file) {
     Recording recording = scenarios::recording::load_recording(file);
-    if (recording.ticks() == 0) throw InputFault(recording.fault(file).value_or(file + ": error: no tick was recorded"));
+    if (recording.ticks() == 0)
+        throw InputFault(recording.fault(file).value_or(file + ": error: no tick was recorded"));
     Drill drill = drill_of(recording, file);
     check_inputs_fit(recording, drill, file);
     check_first_inputs(recording, drill, file);

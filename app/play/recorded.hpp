@@ -16,8 +16,8 @@ struct Recorded {
     scenarios::drill::Drill drill;
 };
 
-/// Throws InputFault or RecordingError, one line that names `file`: no tick in it, a drill that cannot be read or is not
-/// the one its inputs were made for, or a mesh that has changed since.
+/// Throws InputFault or RecordingError, one line that names `file`: no tick in it, a drill that cannot be read or is
+/// not the one its inputs were made for, or a mesh that has changed since.
 Recorded load_recorded(const std::string& file);
 
 }  // namespace app

@@ -12,7 +12,8 @@ namespace app {
 /// Throws assets::AssetError for a bad mesh file, InputFault for one in which the thread would start.
 std::vector<assets::Mesh> vessel_meshes(const scenarios::world::WorldDef& def);
 
-/// `def` with the outside of vessels that give way and are meshes, read from their files. Throws as vessel_meshes() does, and where no wall can be made of one, or something starts in one.
+/// `def` with the outside of vessels that give way and are meshes, read from their files. Throws as vessel_meshes()
+/// does, and where no wall can be made of one, or something starts in one.
 scenarios::world::WorldDef with_walls(scenarios::world::WorldDef def);
 
 /// A world ready for its first tick, with its tools at `start`.

@@ -38,7 +38,8 @@ void Session::tick(std::span<const instruments::ToolInput> inputs) {
 }
 
 static CloseUp about(std::span<const Vec3> points) {
-    CloseUp place{std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size()), 0};
+    CloseUp place{
+        std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size()), 0};
     for (const Vec3& point : points) place.radius = std::max(place.radius, (point - place.centre).norm());
     return place;
 }
@@ -48,7 +49,10 @@ static std::vector<Vec3> clamp_about(const scenarios::world::SoftVessel& vessel,
     std::vector<Vec3> held;
     for (const tissue::Hold& hold : vessel.clamps) held.push_back(hold.target);
     const CloseUp end = about(held);
-    const auto jaw = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw)[vessel.side > 0 ? instruments::jaw_plus : instruments::jaw_minus].b;
+    const auto jaw =
+        instruments::parts_at(tool.shape, tool.now.pose,
+                              tool.now.jaw)[vessel.side > 0 ? instruments::jaw_plus : instruments::jaw_minus]
+            .b;
     const Vec3 along = tool.now.pose.rotation * Vec3::UnitX(), to_jaw = jaw - end.centre;
     const Vec3 nearest = (to_jaw - along.dot(to_jaw) * along).normalized(), across = along.cross(nearest);
     std::vector<Vec3> wire{jaw};
@@ -63,14 +67,16 @@ static std::vector<Vec3> clamp_about(const scenarios::world::SoftVessel& vessel,
 Snapshot Session::snapshot(std::string caption) const {
     Snapshot snapshot{world_.time_s(), std::move(caption), world_.curves(), {}, rigid_, {}, {}, {}};
     for (const auto& tool : world_.tools()) {
-        const bool cuts = tool.def.kind == instruments::Kind::scissors && tool.closed;  // what is between its blades then is no more
+        const bool cuts =
+            tool.def.kind == instruments::Kind::scissors && tool.closed;  // what is between its blades then is no more
         snapshot.tools.push_back({tool.now.pose, cuts ? tool.asked.jaw : tool.now.jaw});
     }
     for (const auto& vessel : world_.vessels()) {
         assets::Mesh& mesh = snapshot.vessels.emplace_back();
         mesh.vertices.assign(vessel.tissue.nodes().begin(), vessel.tissue.nodes().end());
         for (const tissue::Face& face : vessel.tissue.rest().faces) mesh.triangles.push_back(face.nodes);
-        if (vessel.held_by >= 0) snapshot.clamps.push_back(clamp_about(vessel, world_.tools()[static_cast<std::size_t>(vessel.held_by)]));
+        if (vessel.held_by >= 0)
+            snapshot.clamps.push_back(clamp_about(vessel, world_.tools()[static_cast<std::size_t>(vessel.held_by)]));
     }
     constexpr int pieces = 48;
     for (const auto& needle : world_.needles()) {
@@ -119,7 +125,8 @@ std::optional<Snapshot> Session::bites_snapshot(std::string caption) const {
 Snapshot Session::bite_snapshot(const std::string& vessel_name, std::string caption) const {
     Snapshot near = snapshot(std::move(caption));
     for (const auto& vessel : world_.vessels())
-        if (vessel.name == vessel_name && vessel.skin.holes() > 0) near.close_up = CloseUp{vessel.skin.centre(vessel.skin.holes() - 1), drill_.world.needle.radius};
+        if (vessel.name == vessel_name && vessel.skin.holes() > 0)
+            near.close_up = CloseUp{vessel.skin.centre(vessel.skin.holes() - 1), drill_.world.needle.radius};
     return near;
 }
 
@@ -131,9 +138,12 @@ std::optional<Snapshot> Session::close_snapshot() {
 static std::string held_by(const scenarios::world::World& world, int number) {
     const auto& tool = world.tools()[static_cast<std::size_t>(number)];
     const auto needles = world.needles();
-    const bool has_needle = std::any_of(needles.begin(), needles.end(), [&](const auto& needle) { return needle.holder.tool == number || needle.next.tool == number; });
+    const bool has_needle = std::any_of(needles.begin(), needles.end(), [&](const auto& needle) {
+        return needle.holder.tool == number || needle.next.tool == number;
+    });
     std::string held;
-    for (const auto& [is_held, what] : {std::pair(!tool.grasps.empty(), "thread"), std::pair(has_needle, "needle"), std::pair(!tool.walls.empty(), "wall")})
+    for (const auto& [is_held, what] : {std::pair(!tool.grasps.empty(), "thread"), std::pair(has_needle, "needle"),
+                                        std::pair(!tool.walls.empty(), "wall")})
         if (is_held) held += (held.empty() ? "" : " and ") + std::string(what);
     return held;
 }
@@ -152,8 +162,8 @@ void Session::sample() {
     samples_.push_back(std::move(sample));
 }
 
-// A picture whenever something was grasped or let go, the needle went through a wall or the knot took another name that surgeons use; the
-// report shows the moment.
+// A picture whenever something was grasped or let go, the needle went through a wall or the knot took another name that
+// surgeons use; the report shows the moment.
 void Session::watch_events() {
     constexpr std::size_t most_pictures = 24;
     for (; events_seen_ < world_.events().size(); ++events_seen_) {
@@ -162,9 +172,11 @@ void Session::watch_events() {
         if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
         if (event.kind == "cut") key_moments_.push_back(snapshot(event.what + " tool cuts the thread"));
         if (event.kind == "break") key_moments_.push_back(snapshot("the " + event.what + " breaks"));
-        if (event.kind == "through") key_moments_.push_back(bite_snapshot(event.what, "the needle is through the wall of " + event.what));
+        if (event.kind == "through")
+            key_moments_.push_back(bite_snapshot(event.what, "the needle is through the wall of " + event.what));
         if (event.kind == "slipped") key_moments_.push_back(snapshot("the needle slips off the edge of " + event.what));
-        if (event.kind == "torn") key_moments_.push_back(bite_snapshot(event.what, "a bite tears out of " + event.what));
+        if (event.kind == "torn")
+            key_moments_.push_back(bite_snapshot(event.what, "a bite tears out of " + event.what));
         if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
         const bool surgeons_know = event.what == "0_1" || !world_.measures().knot.surgical.empty();
         if (event.kind == "knot" && surgeons_know) {

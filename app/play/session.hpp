@@ -22,9 +22,9 @@ struct Snapshot {
     std::vector<std::vector<sim::geometry::Vec3>> thread;  ///< Its pieces.
     std::vector<instruments::ToolInput> tools;
     std::vector<assets::Mesh> vessels;
-    std::vector<std::vector<sim::geometry::Vec3>> clamps;  ///< Of approximators, an arm and a ring each.
+    std::vector<std::vector<sim::geometry::Vec3>> clamps;   ///< Of approximators, an arm and a ring each.
     std::vector<std::vector<sim::geometry::Vec3>> needles;  ///< From tail to tip.
-    std::optional<CloseUp> close_up;  ///< None: the whole field is of interest.
+    std::optional<CloseUp> close_up;                        ///< None: the whole field is of interest.
 };
 
 /// One drill being played: what comes in at each tick decides everything; the rest is looking on.
@@ -42,7 +42,8 @@ class Session {
     const scenarios::drill::Drill& drill() const { return drill_; }
     const scenarios::world::World& world() const { return world_; }
     Snapshot snapshot(std::string caption) const;
-    /// The same from near the knot that is named now; where there is none from near what the needle has bitten, if it has.
+    /// The same from near the knot that is named now; where there is none from near what the needle has bitten, if it
+    /// has.
     std::optional<Snapshot> close_snapshot();
     const std::vector<Snapshot>& key_moments() const { return key_moments_; }
 

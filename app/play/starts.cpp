@@ -13,7 +13,9 @@ using scenarios::world::VesselDef;
 using scenarios::world::WorldDef;
 using sim::geometry::Vec3;
 
-bool holds(const tissue::Mesh& wall, const Vec3& point) { return tissue::is_in_wall(wall.tetrahedra, wall.nodes, point); }
+bool holds(const tissue::Mesh& wall, const Vec3& point) {
+    return tissue::is_in_wall(wall.tetrahedra, wall.nodes, point);
+}
 
 // At every diameter of the thread.
 bool goes_through(const tissue::Mesh& wall, const Vec3& from, const Vec3& to, double diameter) {
@@ -43,7 +45,9 @@ bool are_in_each_other(const tissue::Mesh& a, const tissue::Mesh& b) {
 class Start {
   public:
     explicit Start(const WorldDef& def) : def_(def) {
-        for (const VesselDef& vessel : def.vessels) walls_.push_back(vessel.is_soft && vessel.bitten.empty() ? scenarios::world::wall_of(vessel) : tissue::Mesh());
+        for (const VesselDef& vessel : def.vessels)
+            walls_.push_back(vessel.is_soft && vessel.bitten.empty() ? scenarios::world::wall_of(vessel)
+                                                                     : tissue::Mesh());
     }
 
     void check() const {
@@ -56,21 +60,28 @@ class Start {
                 check_needle(i, def_.spares[k].needle, pointer);
             }
             for (std::size_t k = 0; k < i; ++k)
-                if (are_in_each_other(walls_[i], walls_[k])) refuse(i, "it starts in the wall of \"" + def_.vessels[k].name + "\", expected a centre_mm apart from that");
+                if (are_in_each_other(walls_[i], walls_[k]))
+                    refuse(i, "it starts in the wall of \"" + def_.vessels[k].name +
+                                  "\", expected a centre_mm apart from that");
         }
     }
 
   private:
-    [[noreturn]] void refuse(std::size_t vessel, const std::string& what) const { throw InputFault("vessel \"" + def_.vessels[vessel].name + "\": error: /vessels/" + std::to_string(vessel) + ": " + what); }
+    [[noreturn]] void refuse(std::size_t vessel, const std::string& what) const {
+        throw InputFault("vessel \"" + def_.vessels[vessel].name + "\": error: /vessels/" + std::to_string(vessel) +
+                         ": " + what);
+    }
 
     void check_thread(std::size_t vessel, const std::vector<Vec3>& start, const std::string& pointer) const {
         for (std::size_t k = 0; k + 1 < start.size(); ++k)
             if (goes_through(walls_[vessel], start[k], start[k + 1], def_.thread.diameter))
-                refuse(vessel, "the thread starts in its wall, behind corner " + std::to_string(k) + " of " + pointer + "start_mm, expected to start clear of it");
+                refuse(vessel, "the thread starts in its wall, behind corner " + std::to_string(k) + " of " + pointer +
+                                   "start_mm, expected to start clear of it");
     }
 
     void check_needle(std::size_t vessel, const sim::geometry::Arc& needle, const std::string& pointer) const {
-        if (goes_through(walls_[vessel], needle)) refuse(vessel, "the needle of " + pointer + "needle starts in its wall, expected to start clear of it");
+        if (goes_through(walls_[vessel], needle))
+            refuse(vessel, "the needle of " + pointer + "needle starts in its wall, expected to start clear of it");
     }
 
     const WorldDef& def_;
@@ -79,6 +90,8 @@ class Start {
 
 }  // namespace
 
-void check_soft_starts(const WorldDef& def) { Start(def).check(); }
+void check_soft_starts(const WorldDef& def) {
+    Start(def).check();
+}
 
 }  // namespace app

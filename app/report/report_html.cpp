@@ -30,15 +30,22 @@ std::string with_unit(const std::string& value, const std::string& unit) {
 }
 
 std::string verdict(const Result& result) {
-    const auto judged = std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.band.empty(); });
-    const auto missed = std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.passed; });
+    const auto judged =
+        std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.band.empty(); });
+    const auto missed =
+        std::count_if(result.items.begin(), result.items.end(), [](auto& item) { return !item.passed; });
     std::string out = "<h1>" + escaped(result.drill_title) + "</h1>\n<p class=\"verdict " +
-                      (!result.finished ? "fail\">✗ Broken off, not finished" : result.passed ? "pass\">✓ Passed" : "fail\">✗ Not passed") + "</p>\n";
+                      (!result.finished ? "fail\">✗ Broken off, not finished"
+                       : result.passed  ? "pass\">✓ Passed"
+                                        : "fail\">✗ Not passed") +
+                      "</p>\n";
     if (missed > 0)
-        out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(judged) + " judged items outside their band.</p>\n";
+        out += "<p class=\"tied\">" + std::to_string(missed) + " of " + std::to_string(judged) +
+               " judged items outside their band.</p>\n";
     if (!result.surgical.empty() || !result.knot.empty()) {
         const bool is_tied = !result.surgical.empty() || result.knot != "0_1";
-        out += is_tied ? "<p class=\"tied\">Tied: <strong>" + escaped(result.surgical.empty() ? result.knot : result.surgical) + "</strong>"
+        out += is_tied ? "<p class=\"tied\">Tied: <strong>" +
+                             escaped(result.surgical.empty() ? result.knot : result.surgical) + "</strong>"
                        : "<p class=\"tied\">Nothing is tied";
         if (!result.throws.empty()) out += ", throws " + escaped(result.throws);
         if (!result.surgical.empty() && result.knot != "0_1") out += ", in knot theory " + escaped(result.knot);
@@ -94,7 +101,8 @@ std::string timeline(const Result& result, const std::vector<Moment>& moments) {
     return "<h2>Timeline</h2>\n" + (svg.empty() ? "<p>Nothing was sampled in this session.</p>\n"
                                                 : "<div class=\"scroll\">" + svg +
                                                       "</div>\n<p class=\"note\">The figure on a curve is its largest "
-                                                      "value, looked at every 10 ms; scores are of every tick. Knots carry their table names; 0_1 is no knot." +
+                                                      "value, looked at every 10 ms; scores are of every tick. Knots "
+                                                      "carry their table names; 0_1 is no knot." +
                                                       numbered + "</p>\n");
 }
 
@@ -111,7 +119,8 @@ std::string thread(const Result& result) {
            figure("Stretch, largest", percent(result.stretch_max),
                   "Worst link at any moment, against its rest length.") +
            figure("Stretch, at the end", percent(result.stretch_settled), "Worst link after the last tick.") +
-           figure("Separation, least", result.separation_min < 1e300 ? number(result.separation_min, 4) + " diameters" : "never near",
+           figure("Separation, least",
+                  result.separation_min < 1e300 ? number(result.separation_min, 4) + " diameters" : "never near",
                   "Between links that are not neighbours; 1 is touching.") +
            figure("Node step, largest", number(result.node_step_max_over_bound, 4) + " of its bound",
                   "No node may move further in a substep than 1.") +

@@ -43,15 +43,21 @@ json thread(const Result& result) {
 
 std::string result_json(const Result& result) {
     const scenarios::drill::Percentiles& tick = result.tick_us;
-    const json root = {
-        {"drill", result.drill_title},     {"finished", result.finished},
-        {"passed", result.passed},
-        {"items", items(result)},          {"knot", result.knot},
-        {"surgical", result.surgical},     {"throws", result.throws},
-        {"thread", thread(result)},        {"tick_us", {{"p50", tick.p50}, {"p99", tick.p99}, {"max", tick.max}}},
-        {"ticks", result.ticks},           {"substeps", result.substeps},
-        {"duration_s", result.duration_s}, {"state_hash", result.state_hash},
-        {"events", events(result)},        {"machine", result.machine}};
+    const json root = {{"drill", result.drill_title},
+                       {"finished", result.finished},
+                       {"passed", result.passed},
+                       {"items", items(result)},
+                       {"knot", result.knot},
+                       {"surgical", result.surgical},
+                       {"throws", result.throws},
+                       {"thread", thread(result)},
+                       {"tick_us", {{"p50", tick.p50}, {"p99", tick.p99}, {"max", tick.max}}},
+                       {"ticks", result.ticks},
+                       {"substeps", result.substeps},
+                       {"duration_s", result.duration_s},
+                       {"state_hash", result.state_hash},
+                       {"events", events(result)},
+                       {"machine", result.machine}};
     // The library writes what is not finite as null: JSON has no word for it.
     return root.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }

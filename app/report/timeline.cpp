@@ -163,7 +163,8 @@ std::string Sheet::moment_numbers(const std::vector<double>& moments) const {
         for (next = first + 1; next < moments.size() && x(moments[next]) - x(moments[next - 1]) < apart;) ++next;
         if (!std::isfinite(moments[first])) continue;
         const std::string last = next - first > 1 ? "–" + std::to_string(next) : "";
-        out += text((x(moments[first]) + x(moments[next - 1])) / 2, 16, "moment-number", std::to_string(first + 1) + last);
+        out +=
+            text((x(moments[first]) + x(moments[next - 1])) / 2, 16, "moment-number", std::to_string(first + 1) + last);
     }
     return out;
 }
@@ -184,8 +185,9 @@ std::string Sheet::finish(const std::vector<double>& moments) const {
         if (std::isfinite(moment)) back += line(x(moment), 22, x(moment), foot, "moment");
     front += moment_numbers(moments);
     return "<svg viewBox=\"0 0 " + px(width) + " " + px(foot + 26) +
-           "\" role=\"img\" aria-label=\"Events, knot, grasps, tension, speed and how far tools are behind their hands over time\">\n" + back + body_ +
-           front + "</svg>\n";
+           "\" role=\"img\" aria-label=\"Events, knot, grasps, tension, speed and how far tools are behind their hands "
+           "over time\">\n" +
+           back + body_ + front + "</svg>\n";
 }
 
 double largest(const Result& result, const Reading& reading) {
@@ -214,11 +216,11 @@ std::string timeline_svg(const Result& result, const std::vector<double>& moment
         "knot is", [](const Sample& s) { return s.knot; }, "named");
     for (std::size_t i = 0; i < tools.size(); ++i)
         sheet.add_strip(
-            tools[i] + " holds",
-            [i](const Sample& s) { return i < s.held.size() ? s.held[i] : ""; }, "held");
+            tools[i] + " holds", [i](const Sample& s) { return i < s.held.size() ? s.held[i] : ""; }, "held");
     sheet.add_chart("tension [N]", tension, largest(result, tension), 2);
     for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " speed [mm/s]", speed(i), fastest, 0);
-    for (std::size_t i = 0; i < tools.size(); ++i) sheet.add_chart(tools[i] + " behind its hand [mm]", lag(i), farthest, 2);
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        sheet.add_chart(tools[i] + " behind its hand [mm]", lag(i), farthest, 2);
     return sheet.finish(moments);
 }
 

@@ -80,7 +80,9 @@ Measured run(const Experiment& experiment) {
     measured.tick_us.reserve(static_cast<std::size_t>(ticks));
     Holds now;
     for (std::int64_t tick = 1; tick <= ticks; ++tick) {
-        const double t = std::min(static_cast<double>(tick) * experiment.tick, last_time(experiment.motion));  // what is held at the end is held to the end of a tick
+        const double t =
+            std::min(static_cast<double>(tick) * experiment.tick,
+                     last_time(experiment.motion));  // what is held at the end is held to the end of a tick
         now.at(experiment.motion, t, rounding * experiment.tick);
         const auto start = std::chrono::steady_clock::now();
         const TickReport report = thread.tick({now.holds, now.owners, {}, experiment.obstacle, experiment.tick});

@@ -24,7 +24,7 @@ struct Goal {
     int throws = 0;        ///< Number of throws asked for, or 0.
     std::string notation;  ///< Throws in notation asked for ("2=1"), or empty.
     std::optional<Band> tails_mm;
-    int times = 1;         ///< In so many pieces of thread.
+    int times = 1;  ///< In so many pieces of thread.
 };
 
 /// Bands of scored items, in the unit of the name. Absent: the item is shown, not judged. Lists: one per instrument.

@@ -11,9 +11,9 @@ namespace scenarios::drill {
 struct Reading {
     std::string name, title, unit;
     double value;
-    int digits;                           ///< After the point.
+    int digits;  ///< After the point.
     double at_s;
-    std::string too_much, too_little;     ///< One sentence each for the resident.
+    std::string too_much, too_little;  ///< One sentence each for the resident.
 };
 
 /// Passed where there is no band. A value outside is shown with as many digits as tell.

@@ -46,7 +46,9 @@ Shape point(const std::string& about) {
 }
 
 // To a micron.
-std::string in_mm(double metres) { return shown(std::round(1e6 * metres) / 1e3); }
+std::string in_mm(double metres) {
+    return shown(std::round(1e6 * metres) / 1e3);
+}
 
 template <typename Table>
 std::vector<json> names_of(const Table& table) {
@@ -67,19 +69,28 @@ Shape band_of(const std::string& about, Shape end) {
             .keys = {{"max", end, true}}};
 }
 
-Shape band(const std::string& about, double high, const std::string& unit) { return band_of(about, quantity("", 0, high, unit)); }
+Shape band(const std::string& about, double high, const std::string& unit) {
+    return band_of(about, quantity("", 0, high, unit));
+}
 
-Shape band_of_counts(const std::string& about, double high) { return band_of(about, count("", 0, high)); }
+Shape band_of_counts(const std::string& about, double high) {
+    return band_of(about, count("", 0, high));
+}
 
-Shape per_instrument(const std::string& about, const Shape& one) { return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {one}}; }
+Shape per_instrument(const std::string& about, const Shape& one) {
+    return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {one}};
+}
 
-Shape direction(const std::string& about) { return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000)); }
+Shape direction(const std::string& about) {
+    return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000));
+}
 
 // "BV-1: 3/8 circle, 9.3 mm, wire 0.2 mm."
 std::string dimensions() {
     std::string all;
     for (const NeedleCode& code : needle_codes())
-        all += (all.empty() ? "" : "; ") + std::string(code.name) + ": " + shown(8 * code.circle) + "/8 circle, " + in_mm(code.length) + " mm, wire " + in_mm(code.wire) + " mm";
+        all += (all.empty() ? "" : "; ") + std::string(code.name) + ": " + shown(8 * code.circle) + "/8 circle, " +
+               in_mm(code.length) + " mm, wire " + in_mm(code.wire) + " mm";
     return all + ".";
 }
 
@@ -92,14 +103,23 @@ std::vector<Key> place_of_needle() {
 Shape needle() {
     std::vector<Key> keys = place_of_needle();
     keys.insert(keys.begin(), {"code", choice("As makers name it. " + dimensions(), names_of(needle_codes())), true});
-    return group("A curved needle swaged to the thread, which starts at its tail; start_mm then goes on from behind it. Jaws that are closed on it at the "
-                 "start hold it.", keys);
+    return group(
+        "A curved needle swaged to the thread, which starts at its tail; start_mm then goes on from behind it. Jaws "
+        "that are closed on it at the "
+        "start hold it.",
+        keys);
 }
 
-Shape start() { return list("Path of the thread at the start, at least length_mm long; what is longer is cut off. An elastic one keeps its bends: a sharp one behind a needle catches in walls.", 2, 2000, point("A corner of the path.")); }
+Shape start() {
+    return list(
+        "Path of the thread at the start, at least length_mm long; what is longer is cut off. An elastic one keeps its "
+        "bends: a sharp one behind a needle catches in walls.",
+        2, 2000, point("A corner of the path."));
+}
 
 Shape spares() {
-    const Shape spare = group("Such a thread.", {{"needle", group("Where its needle is.", place_of_needle()), true}, {"start_mm", start(), true}});
+    const Shape spare = group("Such a thread.", {{"needle", group("Where its needle is.", place_of_needle()), true},
+                                                 {"start_mm", start(), true}});
     return list("More threads like this one, with such needles, that lie ready for when it is used up.", 0, 15, spare);
 }
 
@@ -117,71 +137,101 @@ Shape thread() {
          {"break_N", quantity("Tension at which a knotted thread breaks.", 0.01, 200, "N")},
          {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false, 0.15},
          {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false, 0.15},
-         {"yield_percent", quantity("Strain beyond which it stays as it is bent, where effects has plastic_set.", 0.1, 100, "%")},
-         {"links", count("Straight pieces the thread is cut into. Default: 300, of a short one as many as are two diameter_mm long.", 2, 5000)},
-         {"shortest_link_mm",
-          quantity("Where the thread bends or touches itself links are halved, down to this, and joined again where it is straight; 0: never. "
-                   "Default: diameter_mm.", 0, 1000, "mm")},
+         {"yield_percent",
+          quantity("Strain beyond which it stays as it is bent, where effects has plastic_set.", 0.1, 100, "%")},
+         {"links", count("Straight pieces the thread is cut into. Default: 300, of a short one as many as are two "
+                         "diameter_mm long.",
+                         2, 5000)},
+         {"shortest_link_mm", quantity("Where the thread bends or touches itself links are halved, down to this, and "
+                                       "joined again where it is straight; 0: never. "
+                                       "Default: diameter_mm.",
+                                       0, 1000, "mm")},
          {"contacts_per_tick",
-          count("Of an elastic thread: a tick that has solved so many leaves the rest of the tools' motion to the next, so that none takes long; 0: never.", 0, 100000),
+          count("Of an elastic thread: a tick that has solved so many leaves the rest of the tools' motion to the "
+                "next, so that none takes long; 0: never.",
+                0, 100000),
           false, 0},
-         {"model", choice("What moves the thread: ftl, by its geometry alone; elastic, a rod that bends and stretches by its material.", {"ftl", "elastic"}), false,
-          "ftl"},
+         {"model",
+          choice("What moves the thread: ftl, by its geometry alone; elastic, a rod that bends and stretches by its "
+                 "material.",
+                 {"ftl", "elastic"}),
+          false, "ftl"},
          {"start_mm", start(), false},
          {"needle", needle(), false},
          {"spares", spares(), false}});
 }
 
 Shape vessel() {
-    const Shape tube =
-        group("A tube by numbers.", {{"diameter_mm", quantity("Outer diameter.", 0.3, 60, "mm"), true},
-                                     {"wall_mm", quantity("Thickness of the wall.", 0.02, 5, "mm"), true},
-                                     {"length_mm", quantity("Length.", 1, 500, "mm"), true},
-                                     {"cut_angle_deg", quantity("Between its axis and the cut at an end that no clamp holds.", 45, 90, "degrees"), false, 90}});
+    const Shape tube = group(
+        "A tube by numbers.",
+        {{"diameter_mm", quantity("Outer diameter.", 0.3, 60, "mm"), true},
+         {"wall_mm", quantity("Thickness of the wall.", 0.02, 5, "mm"), true},
+         {"length_mm", quantity("Length.", 1, 500, "mm"), true},
+         {"cut_angle_deg", quantity("Between its axis and the cut at an end that no clamp holds.", 45, 90, "degrees"),
+          false, 90}});
     const Shape hash = {.types = text,
                         .about = "SHA-256 of the file.",
                         .pattern = "^[0-9a-f]{64}$",
                         .pattern_words = "64 hex digits, lower case"};
-    const Shape mesh =
-        group("A triangle mesh written in mm: all of a rigid vessel's surface, closed; or the outside of one that gives way, closed or open at its ends.",
-              {{"file", words("Path from the drill file: .obj, .ply or .stl."), true}, {"sha256", hash, true},
-               {"wall_mm", quantity("Thickness of a wall that gives way, inwards from the mesh.", 0.02, 5, "mm")}});
-    Shape shape =
-        group("A vessel. Rigid, or where effects has tissue a wall that gives way, held where clamps hold it; a tube is cut where none does.",
-              {{"name", name("How goals call it."), true},
-               {"tube", tube},
-               {"mesh", mesh},
-               {"centre_mm", point("Middle of a tube; of a mesh where the origin of its file comes."), false, json::array({0, 0, 0})},
-               {"axis", list("Direction of a tube, and of a mesh made along x; any length but zero.", 3, 3, quantity("Component.", -1000, 1000)),
-                false, json::array({1, 0, 0})},
-               {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
-                json::array({"start", "end"})},
-               {"held_by", name("Approximator whose clamps these are. Without it they stay where they are.")},
-               {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1},
-               {"puncture_N", quantity("Force at which a needle goes through a wall that gives way.", 0.001, 10, "N"), false, 0.05}});
+    const Shape mesh = group(
+        "A triangle mesh written in mm: all of a rigid vessel's surface, closed; or the outside of one that gives way, "
+        "closed or open at its ends.",
+        {{"file", words("Path from the drill file: .obj, .ply or .stl."), true},
+         {"sha256", hash, true},
+         {"wall_mm", quantity("Thickness of a wall that gives way, inwards from the mesh.", 0.02, 5, "mm")}});
+    Shape shape = group(
+        "A vessel. Rigid, or where effects has tissue a wall that gives way, held where clamps hold it; a tube is cut "
+        "where none does.",
+        {{"name", name("How goals call it."), true},
+         {"tube", tube},
+         {"mesh", mesh},
+         {"centre_mm", point("Middle of a tube; of a mesh where the origin of its file comes."), false,
+          json::array({0, 0, 0})},
+         {"axis",
+          list("Direction of a tube, and of a mesh made along x; any length but zero.", 3, 3,
+               quantity("Component.", -1000, 1000)),
+          false, json::array({1, 0, 0})},
+         {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
+          json::array({"start", "end"})},
+         {"held_by", name("Approximator whose clamps these are. Without it they stay where they are.")},
+         {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1},
+         {"puncture_N", quantity("Force at which a needle goes through a wall that gives way.", 0.001, 10, "N"), false,
+          0.05}});
     shape.one_of = {"tube", "mesh"};
     return shape;
 }
 
 Shape instrument() {
-    return group("A tool.", {{"name", name("As in motion files."), true},
-                             {"kind", choice("What it is. Scissors cut what they close on. An approximator brings the vessels together that it holds, in its x, by closing; it grasps nothing else.",
-                                             {"forceps", "needle_holder", "scissors", "approximator"}), true},
-                             {"pull_N", quantity("How hard it pulls at an elastic thread: to what pulls harder it gives way, as a hand does that feels it. Default: as hard as the thread bears.", 0.01, 100, "N")}});
+    return group("A tool.",
+                 {{"name", name("As in motion files."), true},
+                  {"kind",
+                   choice("What it is. Scissors cut what they close on. An approximator brings the vessels together "
+                          "that it holds, in its x, by closing; it grasps nothing else.",
+                          {"forceps", "needle_holder", "scissors", "approximator"}),
+                   true},
+                  {"pull_N", quantity("How hard it pulls at an elastic thread: to what pulls harder it gives way, as a "
+                                      "hand does that feels it. Default: as hard as the thread bears.",
+                                      0.01, 100, "N")}});
 }
 
 Shape effects() {
     const std::string only = "this version cannot simulate more, ";
     const auto flag = [](const std::string& about) { return Shape{.types = boolean, .about = about}; };
-    std::vector<Key> keys{{"gravity", flag("Weight of an elastic thread, towards -z; it falls where no tool and no vessel holds it."), false, false},
-                          {"bending", flag("Stiffness against bending. Default: as the thread's model has it, ftl off and elastic on.")},
-                          {"extension", flag("Stretch of the thread by its material; off, it stretches by next to nothing. Default: elastic on.")},
-                          {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
-                          {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")},
-                          {"air", flag("Drag of the air, which halts what of an elastic thread is loose; off, that flies on."), false, false}};
+    std::vector<Key> keys{
+        {"gravity", flag("Weight of an elastic thread, towards -z; it falls where no tool and no vessel holds it."),
+         false, false},
+        {"bending", flag("Stiffness against bending. Default: as the thread's model has it, ftl off and elastic on.")},
+        {"extension",
+         flag("Stretch of the thread by its material; off, it stretches by next to nothing. Default: elastic on.")},
+        {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
+        {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")},
+        {"air", flag("Drag of the air, which halts what of an elastic thread is loose; off, that flies on."), false,
+         false}};
     keys.push_back({"twist", {.types = boolean, .choices = {false}, .why_only = only}, false, false});
-    keys.push_back({"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false, "rigid"});
-    keys.push_back({"tear", flag("Bites tear out of walls that are pulled too hard. As tissue has it: elastic on, rigid off.")});
+    keys.push_back(
+        {"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false, "rigid"});
+    keys.push_back(
+        {"tear", flag("Bites tear out of walls that are pulled too hard. As tissue has it: elastic on, rigid off.")});
     keys.push_back({"leak", flag("A join leaks. As tissue has it: elastic on, rigid off.")});
     return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));
 }
@@ -193,8 +243,10 @@ Shape goal() {
     throws.pattern_words = "turns of each throw joined by '=' (reversed) or 'x' (same way), such as \"2=1\"";
     return group(
         "What the thread must be at the end.",
-        {{"tie", choice("Knot, or hitch round a vessel.", {"square", "granny", "surgeons", "overhand", "slip", "figure-eight", "bowline",
-                  "clove hitch", "constrictor", "cow hitch", "prusik"}), true},
+        {{"tie",
+          choice("Knot, or hitch round a vessel.", {"square", "granny", "surgeons", "overhand", "slip", "figure-eight",
+                                                    "bowline", "clove hitch", "constrictor", "cow hitch", "prusik"}),
+          true},
          {"around", name("Vessel that the thread goes around.")},
          {"throws", throws},
          {"times", count("In how many pieces of thread.", 1, 100), false, 1},
@@ -209,17 +261,22 @@ Shape bands() {
          {"grasps", per_instrument("Times the thread was grasped.", band_of_counts("", 10000)), false, json::object()},
          {"tension_N", band("Largest tension of the thread.", 200, "N"), false},
          {"lag_mm",
-          per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a jaw's length.", band("", 1000, "mm")), false,
-          json::object()},
-         {"needle_deg", band("Least angle between jaws and wire when the needle is taken: 90 is right.", 90, "degrees"), false},
+          per_instrument("Largest distance between hand and tool when a taut thread holds it back; a turn counts at a "
+                         "jaw's length.",
+                         band("", 1000, "mm")),
+          false, json::object()},
+         {"needle_deg", band("Least angle between jaws and wire when the needle is taken: 90 is right.", 90, "degrees"),
+          false},
          {"bites", band_of_counts("Bites through a whole wall that hold.", 1000), false},
          {"bite_mm", band("Each bite, from its outer end to the cut.", 100, "mm"), false},
-         {"bite_deg", band("Each bite, between needle and wall where it was first touched: 90 is straight.", 90, "degrees"), false},
+         {"bite_deg",
+          band("Each bite, between needle and wall where it was first touched: 90 is straight.", 90, "degrees"), false},
          {"gap_mm", band("Widest gap of the suture line.", 100, "mm"), false},
          {"lumen", band("Area of the lumen at the join, over what it was.", 10, ""), false},
          {"leak_mL_min", band("Leak of the join at 100 mmHg.", 1e6, "mL/min"), false},
          {"lapses", band_of_counts("Lapses of ten (Anastomosis Lapse Index).", 10), false},
-         {"pass_throughs", band_of_counts("Times the thread passed through something.", 1e9), false, json{{"max", 0}}}});
+         {"pass_throughs", band_of_counts("Times the thread passed through something.", 1e9), false,
+          json{{"max", 0}}}});
 }
 
 }  // namespace
@@ -233,7 +290,10 @@ const Shape& drill_shape() {
                {"description", words("For people.")},
                {"thread", thread(), true},
                {"vessels", list("What is operated on.", 0, 16, vessel()), false, json::array()},
-               {"instruments", list("The tools: one a hand, of the one who ties and of an assistant, and what is left in place.", 1, 5, instrument()), true},
+               {"instruments",
+                list("The tools: one a hand, of the one who ties and of an assistant, and what is left in place.", 1, 5,
+                     instrument()),
+                true},
                {"effects", effects(), false, json::object()},
                {"goals", list("At most one in this version.", 0, 1, goal()), false, json::array()},
                {"bands", bands(), false, json::object()},

@@ -18,8 +18,9 @@ struct Material {
     double young_MPa;          ///< Along the thread, initial.
     double bending_young_MPa;  ///< In bending; lower than along where a braid's fibres slide.
     double density_kg_m3;
-    double yield_percent;      ///< Strain beyond which a fibre stays as it is bent: the middle of 3 to 5 % for polypropylene, which
-                               ///< yields early [SurgeryAndPhysics C2]; 0: no figure is known, or fibres slide instead.
+    double
+        yield_percent;  ///< Strain beyond which a fibre stays as it is bent: the middle of 3 to 5 % for polypropylene,
+                        ///< which yields early [SurgeryAndPhysics C2]; 0: no figure is known, or fibres slide instead.
 };
 
 std::span<const Size> sizes();  ///< 3-0 to 10-0.

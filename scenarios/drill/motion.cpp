@@ -53,8 +53,8 @@ double Motion::duration() const {
 
 std::string Motion::cut_short_at(double limit_s) const {
     if (duration() + settling_s < limit_s) return "";
-    return "/time_limit_s: " + shown(limit_s) + " s end the drill before its motion, which takes " + shown(std::ceil(1e2 * duration()) / 1e2) + " s and " +
-           shown(settling_s) + " s of rest";
+    return "/time_limit_s: " + shown(limit_s) + " s end the drill before its motion, which takes " +
+           shown(std::ceil(1e2 * duration()) / 1e2) + " s and " + shown(settling_s) + " s of rest";
 }
 
 }  // namespace scenarios::drill

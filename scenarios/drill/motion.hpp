@@ -9,7 +9,8 @@
 
 namespace scenarios::drill {
 
-/// How long tools rest after their last key, so that what is at rest can be measured. A drill whose time limit comes before is ended by it.
+/// How long tools rest after their last key, so that what is at rest can be measured. A drill whose time limit comes
+/// before is ended by it.
 constexpr double settling_s = 0.5;
 
 /// Where a tool is at one time.

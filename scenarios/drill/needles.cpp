@@ -17,7 +17,9 @@ constexpr std::array<NeedleCode, 8> codes = {{{"BV75-3", 0.375, 3.8e-3, 0.075e-3
                                               {"RB-1", 0.5, 17e-3, 0.43e-3},
                                               {"SH", 0.5, 26e-3, 0.60e-3}}};
 
-std::span<const NeedleCode> needle_codes() { return codes; }
+std::span<const NeedleCode> needle_codes() {
+    return codes;
+}
 
 const NeedleCode& needle_named(const std::string& name) {
     return *std::find_if(codes.begin(), codes.end(), [&](const NeedleCode& code) { return name == code.name; });

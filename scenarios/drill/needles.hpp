@@ -6,19 +6,21 @@
 
 namespace scenarios::drill {
 
-/// A curved needle as makers sell it: a part of a circle, its length along the curve, its wire. Values of reference C2, of a taper point.
+/// A curved needle as makers sell it: a part of a circle, its length along the curve, its wire. Values of reference C2,
+/// of a taper point.
 struct NeedleCode {
     const char* name;
-    double circle;   ///< Share of a whole circle.
-    double length;   ///< Along the curve [m].
-    double wire;     ///< Diameter [m].
+    double circle;  ///< Share of a whole circle.
+    double length;  ///< Along the curve [m].
+    double wire;    ///< Diameter [m].
 };
 
 std::span<const NeedleCode> needle_codes();
 const NeedleCode& needle_named(const std::string& name);  ///< One of them.
 
-/// A needle of that code from its tail, towards where its tip is, bulging to one side of the line between. `towards` and `bulge`: any
-/// lengths but zero, not parallel.
-sim::geometry::Arc needle_at(const NeedleCode& code, const sim::geometry::Vec3& tail, const sim::geometry::Vec3& towards, const sim::geometry::Vec3& bulge);
+/// A needle of that code from its tail, towards where its tip is, bulging to one side of the line between. `towards`
+/// and `bulge`: any lengths but zero, not parallel.
+sim::geometry::Arc needle_at(const NeedleCode& code, const sim::geometry::Vec3& tail,
+                             const sim::geometry::Vec3& towards, const sim::geometry::Vec3& bulge);
 
 }  // namespace scenarios::drill

@@ -22,9 +22,12 @@ std::string tie_of(const Name& name) {
     return tie;
 }
 
-bool has_throws_asked(const Goal& goal, const Name& name) { return throws_asked(goal).empty() || name.throws == throws_asked(goal); }
+bool has_throws_asked(const Goal& goal, const Name& name) {
+    return throws_asked(goal).empty() || name.throws == throws_asked(goal);
+}
 
-// Of how many throws is judged beside it. Three throws of a square knot are asked for as that, and are found by their throws alone.
+// Of how many throws is judged beside it. Three throws of a square knot are asked for as that, and are found by their
+// throws alone.
 bool is_asked(const Goal& goal, const Name& name) {
     return name.certain && (tie_of(name) == goal.tie || (!throws_asked(goal).empty() && has_throws_asked(goal, name)));
 }
@@ -65,16 +68,20 @@ constexpr Lesson lessons[] = {
 };
 
 // Where broke_s is known.
-std::string how_it_broke(const world::Measures& measures) { return "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught."; }
+std::string how_it_broke(const world::Measures& measures) {
+    return "The thread broke at " + fixed(*measures.broke_s, 2) + " s: it was pulled too hard, or caught.";
+}
 
-bool is_untied(const Name& name) { return name.knot == "0_1" && name.surgical.empty(); }
+bool is_untied(const Name& name) {
+    return name.knot == "0_1" && name.surgical.empty();
+}
 
 std::string why_not_tied(const Goal& goal, const Name& found) {
     const std::string& asked = goal.tie;
     if (is_untied(found) && is_hitch(asked)) return "The thread is not hitched to any vessel.";
-    if (is_hitch(asked) || is_hitch(found.surgical)) return "The thread is tied another way: " + found.surgical + ", not " + asked + ".";
-    if (is_untied(found))
-        return "There is no knot in the thread: the throw was not pulled through, or came undone.";
+    if (is_hitch(asked) || is_hitch(found.surgical))
+        return "The thread is tied another way: " + found.surgical + ", not " + asked + ".";
+    if (is_untied(found)) return "There is no knot in the thread: the throw was not pulled through, or came undone.";
     for (const Lesson& lesson : lessons)
         if (asked == lesson.asked && tie_of(found) == lesson.tied) return lesson.why;
     if (!found.certain)
@@ -85,17 +92,12 @@ std::string why_not_tied(const Goal& goal, const Name& found) {
 
 void score_knot(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     const Name& name = measures.knot;
-    ScoreItem item{"knot",
-                   "Knot",
-                   as_found(name),
-                   "",
-                   in_words(goal.tie),
-                   is_asked(goal, name),
-                   measures.knot_since_s,
+    ScoreItem item{"knot", "Knot", as_found(name), "", in_words(goal.tie), is_asked(goal, name), measures.knot_since_s,
                    ""};
     if (!item.passed)
-        item.why = is_untied(name) && measures.broke_s ? how_it_broke(measures) + " There is no knot in what is left of it."
-                                                       : why_not_tied(goal, name);
+        item.why = is_untied(name) && measures.broke_s
+                       ? how_it_broke(measures) + " There is no knot in what is left of it."
+                       : why_not_tied(goal, name);
     items.push_back(item);
 }
 
@@ -130,8 +132,9 @@ void score_tails(const Goal& goal, const world::Measures& measures, std::vector<
     const auto [shorter, longer] = std::minmax_element(tails.begin(), tails.end());
     const std::string too_long = "The tail is longer than asked. Cut it, or start with less thread on this side.";
     const std::string too_short =
-        is_untied(measures.knot) ? no_knot_to_judge
-                                 : "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
+        is_untied(measures.knot)
+            ? no_knot_to_judge
+            : "The tail is too short: a knot that slips a little runs off it. Leave more thread on this side.";
     items.push_back(judged(
         {"tail_short", "Shorter tail", "mm", *shorter, 2, measures.knot_since_s, too_long, too_short}, goal.tails_mm));
     items.push_back(judged({"tail_long", "Longer tail", "mm", *longer, 2, measures.knot_since_s, too_long, too_short},
@@ -165,8 +168,10 @@ Stitches stitches_of(const Goal& goal, const std::vector<world::TieMeasure>& tie
         ++found.tied;
         if (!goal.tails_mm) continue;
         const double one = tie.tail_mm[0], other = tie.tail_mm[1];
-        if (goal.tails_mm->holds(one) && goal.tails_mm->holds(other)) ++found.cut;
-        else found.wrong_tails += (found.wrong_tails.empty() ? "" : ", ") + fixed(one, 2) + " and " + fixed(other, 2);
+        if (goal.tails_mm->holds(one) && goal.tails_mm->holds(other))
+            ++found.cut;
+        else
+            found.wrong_tails += (found.wrong_tails.empty() ? "" : ", ") + fixed(one, 2) + " and " + fixed(other, 2);
     }
     return found;
 }
@@ -182,24 +187,36 @@ void score_ties(const Goal& goal, const world::Measures& measures, std::vector<S
     const Stitches stitches = stitches_of(goal, measures.ties);
     const Band asked{static_cast<double>(goal.times), static_cast<double>(goal.times)};
     const auto count = [&](const char* name, const std::string& title, double found, const std::string& too_few) {
-        items.push_back(judged({name, title, "", found, 0, measures.duration_s, "There are more than asked.", too_few}, asked));
+        items.push_back(
+            judged({name, title, "", found, 0, measures.duration_s, "There are more than asked.", too_few}, asked));
     };
-    const std::string knots = goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
+    const std::string knots =
+        goal.notation.empty() ? in_words(goal.tie) + " knots" : in_words(goal.tie) + " knots (" + goal.notation + ")";
     count("knots", "Pieces of thread tied in " + knots, stitches.tied, found_in(measures.ties));
-    if (goal.tails_mm) count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", stitches.cut, why_not_cut(stitches));
+    if (goal.tails_mm)
+        count("tails", "Of these, both tails in " + in_words(*goal.tails_mm) + " mm", stitches.cut,
+              why_not_cut(stitches));
     int number = 0;  // shown, not judged
     for (const world::TieMeasure& tie : measures.ties)
         items.push_back({"tails_" + std::to_string(++number), "Tails of " + with_throws(tie.knot),
-                         fixed(tie.tail_mm[0], 2) + " and " + fixed(tie.tail_mm[1], 2), "mm", "", true, measures.duration_s, ""});
+                         fixed(tie.tail_mm[0], 2) + " and " + fixed(tie.tail_mm[1], 2), "mm", "", true,
+                         measures.duration_s, ""});
 }
 
 void score_around(const Goal& goal, const world::Measures& measures, std::vector<ScoreItem>& items) {
     if (goal.around.empty()) return;
     const auto& found = measures.around;
-    ScoreItem item{"around", "Tied around", found.empty() ? "nothing" : found.front(), "", goal.around,
-                   std::find(found.begin(), found.end(), goal.around) != found.end(), measures.knot_since_s, ""};
+    ScoreItem item{"around",
+                   "Tied around",
+                   found.empty() ? "nothing" : found.front(),
+                   "",
+                   goal.around,
+                   std::find(found.begin(), found.end(), goal.around) != found.end(),
+                   measures.knot_since_s,
+                   ""};
     if (!item.passed)
-        item.why = is_untied(measures.knot) ? no_knot_to_judge : "The loop below the knot does not go round the " + goal.around + ".";
+        item.why = is_untied(measures.knot) ? no_knot_to_judge
+                                            : "The loop below the knot does not go round the " + goal.around + ".";
     items.push_back(item);
 }
 
@@ -210,7 +227,8 @@ void score_lie(const world::Measures& measures, std::vector<ScoreItem>& items) {
         items.push_back(judged({name, title, "mm", mm, 2, measures.knot_since_s, "", ""}, {}));
     };
     if (!measures.knot.throw_list.empty())
-        items.push_back({"form", "How it lies", measures.knot.flat ? "flat" : "capsized", "", "", true, measures.knot_since_s, ""});
+        items.push_back(
+            {"form", "How it lies", measures.knot.flat ? "flat" : "capsized", "", "", true, measures.knot_since_s, ""});
     show("loop", "Thread in the loop", measures.loop_mm);
     show("knot_thread", "Thread in the knot", measures.knot_mm);
     if (measures.off_tissue_mm >= 0) show("off_tissue", "Knot off the vessel", measures.off_tissue_mm);
@@ -253,7 +271,8 @@ void score_time(const Drill& drill, const world::Measures& measures, std::vector
     ScoreItem item = judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
                              "The drill took longer than allowed.", "The drill was over sooner than asked."},
                             drill.bands.time_s ? *drill.bands.time_s : Band{0, drill.time_limit_s});
-    if (measures.duration_s > drill.time_limit_s - 0.5 * drill.world.tick_s) item.passed = false, item.why = "The time limit ended the drill.";
+    if (measures.duration_s > drill.time_limit_s - 0.5 * drill.world.tick_s)
+        item.passed = false, item.why = "The time limit ended the drill.";
     items.push_back(item);
 }
 
@@ -280,12 +299,16 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
     score_join(drill, measures, items);
     score_time(drill, measures, items);
     score_tools(drill, measures, items);
-    if (measures.broke_s) items.push_back({"broke", "Thread broke", "yes", "", "never", false, *measures.broke_s, how_it_broke(measures)});
-    const std::string too_hard = measures.broke_s ? how_it_broke(measures) :
-        "The thread was pulled harder than allowed, which breaks it or cuts the vessel. Pull evenly and stop when the throw is flat, or the edges meet.";
+    if (measures.broke_s)
+        items.push_back(
+            {"broke", "Thread broke", "yes", "", "never", false, *measures.broke_s, how_it_broke(measures)});
+    const std::string too_hard = measures.broke_s
+                                     ? how_it_broke(measures)
+                                     : "The thread was pulled harder than allowed, which breaks it or cuts the vessel. "
+                                       "Pull evenly and stop when the throw is flat, or the edges meet.";
     items.push_back(
-        judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s, too_hard,
-                "The thread was never pulled tight, so that what is tied is loose."},
+        judged({"tension", "Largest tension", "N", measures.tension_max_N.value, 2, measures.tension_max_N.at_s,
+                too_hard, "The thread was never pulled tight, so that what is tied is loose."},
                drill.bands.tension_N));
     score_lag(drill, measures, items);
     items.push_back(judged({"pass_throughs", "Pass-throughs", "", static_cast<double>(measures.pass_throughs), 0,

@@ -11,7 +11,8 @@ namespace scenarios::drill {
 /// How square to its wire the needle was held.
 void score_needle(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items);
 
-/// Each bite: whether it goes between outside and lumen of one wall and holds, how far from the cut, at what angle; how many do.
+/// Each bite: whether it goes between outside and lumen of one wall and holds, how far from the cut, at what angle; how
+/// many do.
 void score_bites(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items);
 
 /// Gap, lumen, leak and the ten lapses of two ends that are sewn.

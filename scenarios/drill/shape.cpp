@@ -75,11 +75,12 @@ Found check_number(double x, const Shape& shape, const std::string& pointer, con
                                 ", found " + shown(value)};
 }
 
-// POSIX's extended syntax and JSON Schema's agree on what the drills' patterns use; std::regex doubles the time that this
-// file takes to compile.
+// POSIX's extended syntax and JSON Schema's agree on what the drills' patterns use; std::regex doubles the time that
+// this file takes to compile.
 bool matches(const std::string& text, const std::string& pattern) {
     regex_t regex;
-    if (regcomp(&regex, pattern.c_str(), REG_EXTENDED | REG_NOSUB) != 0) throw std::logic_error("bad pattern " + pattern);
+    if (regcomp(&regex, pattern.c_str(), REG_EXTENDED | REG_NOSUB) != 0)
+        throw std::logic_error("bad pattern " + pattern);
     regmatch_t whole{0, static_cast<regoff_t>(text.size())};  // a text may hold a zero
     const bool found = regexec(&regex, text.c_str(), 1, &whole, REG_STARTEND) == 0;
     regfree(&regex);
@@ -103,7 +104,8 @@ Found check_array(const json& value, const Shape& shape, const std::string& poin
         const std::string range = shape.min_items == shape.max_items
                                       ? std::to_string(shape.min_items)
                                       : std::to_string(shape.min_items) + " to " + std::to_string(shape.max_items);
-        const std::string form = shape.types_words.empty() ? "a list of " + range + " items, found " : shape.types_words + ", found a list of ";
+        const std::string form = shape.types_words.empty() ? "a list of " + range + " items, found "
+                                                           : shape.types_words + ", found a list of ";
         return Problem{pointer, "expected " + form + std::to_string(value.size())};
     }
     for (std::size_t i = 0; i < value.size(); ++i)
@@ -123,7 +125,9 @@ Found check_object(const json& value, const Shape& shape, const std::string& poi
         if (!key && shape.other_keys.empty()) {
             std::vector<std::string> known;
             for (const Key& k : shape.keys) known.push_back(k.name);
-            return Problem{place, unknown_key(name, known) + (shape.types_words.empty() ? "" : "; expected " + shape.types_words), true};
+            return Problem{
+                place, unknown_key(name, known) + (shape.types_words.empty() ? "" : "; expected " + shape.types_words),
+                true};
         }
         if (auto problem = check(inner, key ? key->shape : shape.other_keys.front(), place)) return problem;
     }
@@ -140,7 +144,9 @@ Found check_object(const json& value, const Shape& shape, const std::string& poi
 
 Found check(const json& value, const Shape& shape, const std::string& pointer) {
     const unsigned types = types_of(value);
-    if (!(types & shape.types)) return Problem{pointer, "expected " + (shape.types_words.empty() ? kinds(shape.types) : shape.types_words) + ", found " + shown(value)};
+    if (!(types & shape.types))
+        return Problem{pointer, "expected " + (shape.types_words.empty() ? kinds(shape.types) : shape.types_words) +
+                                    ", found " + shown(value)};
     if (!shape.choices.empty()) {
         if (std::find(shape.choices.begin(), shape.choices.end(), value) != shape.choices.end()) return {};
         std::vector<std::string> allowed;

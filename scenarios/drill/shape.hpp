@@ -17,10 +17,10 @@ struct Key;
 
 /// The allowed form of one value. A limit applies to values of its own type only, as in JSON Schema.
 struct Shape {
-    unsigned types = object;   ///< Types, or-ed.
+    unsigned types = object;       ///< Types, or-ed.
     std::string types_words = {};  ///< For the message, where their names say too little.
-    std::string about = {};    ///< For editors: one sentence.
-    double low = 0, high = 0;  ///< Numbers, both ends included, in `unit`.
+    std::string about = {};        ///< For editors: one sentence.
+    double low = 0, high = 0;      ///< Numbers, both ends included, in `unit`.
     std::string unit = {};
     std::vector<json> choices = {};  ///< If any: the only values allowed.
     std::string why_only = {};       ///< With choices: why no others, for the message.

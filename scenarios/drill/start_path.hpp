@@ -14,16 +14,19 @@ struct StartProblem {
 };
 
 /// Cuts thread.start to thread.length, measured from its first corner, and checks that a thread can lie there: long
-/// enough, no corner given twice, clear of every tube and of itself, and so its links. Cost: quadratic in corners and links.
+/// enough, no corner given twice, clear of every tube and of itself, and so its links. Cost: quadratic in corners and
+/// links.
 std::optional<StartProblem> cut_and_check_start(world::WorldDef& world);
 
 /// The same for the last of world.spares, which must be clear of the threads before it, too.
 std::optional<StartProblem> cut_and_check_last_spare(world::WorldDef& world);
 
-/// With a needle, the path's first two corners: its tail, and behind it along its wire as far as it is sure to go straight.
+/// With a needle, the path's first two corners: its tail, and behind it along its wire as far as it is sure to go
+/// straight.
 std::vector<world::Vec3> start_behind(const world::WorldDef& world, const sim::geometry::Arc& needle);
 
-/// The path used when none is given: with a needle straight on from start_behind(), else straight along y, 10 mm above the highest tube. [mm], as in a drill file.
+/// The path used when none is given: with a needle straight on from start_behind(), else straight along y, 10 mm above
+/// the highest tube. [mm], as in a drill file.
 nlohmann::json straight_start(const world::WorldDef& world);
 
 }  // namespace scenarios::drill

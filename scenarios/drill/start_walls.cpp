@@ -11,7 +11,8 @@ namespace {
 using world::Vec3;
 using world::VesselDef;
 
-// As far from its middle as all of the tube's round goes: an oblique cut takes from one side what it leaves on the other [m].
+// As far from its middle as all of the tube's round goes: an oblique cut takes from one side what it leaves on the
+// other [m].
 double whole_half(const VesselDef& vessel) {
     const auto [sin, cos] = sim::geometry::portable_sin_cos(vessel.cut_angle / 180 * EIGEN_PI);
     return vessel.length / 2 - vessel.diameter / 2 * cos / sin;
@@ -32,7 +33,8 @@ bool lies_in(const VesselDef& a, double radius, const VesselDef& b) {
     for (int i = 0; i <= steps; ++i)
         for (int k = 0; k < around; ++k) {
             const auto [sin, cos] = sim::geometry::portable_sin_cos(2 * EIGEN_PI * k / around);
-            if (is_in(a.centre + half * (2.0 * i / steps - 1) * a.axis + radius * (cos * x + sin * y), b, 0)) return true;
+            if (is_in(a.centre + half * (2.0 * i / steps - 1) * a.axis + radius * (cos * x + sin * y), b, 0))
+                return true;
         }
     return false;
 }
@@ -48,7 +50,9 @@ bool is_in_wall(const sim::geometry::Arc& needle, const VesselDef& vessel) {
 }
 
 bool are_in_each_other(const VesselDef& a, const VesselDef& b) {
-    const auto outside_or_middle = [](const VesselDef& of, const VesselDef& in) { return lies_in(of, of.diameter / 2, in) || lies_in(of, (of.diameter - of.wall) / 2, in); };
+    const auto outside_or_middle = [](const VesselDef& of, const VesselDef& in) {
+        return lies_in(of, of.diameter / 2, in) || lies_in(of, (of.diameter - of.wall) / 2, in);
+    };
     return a.mesh_file.empty() && b.mesh_file.empty() && (outside_or_middle(a, b) || outside_or_middle(b, a));
 }
 

@@ -17,8 +17,8 @@ int throw_count(const std::string& notation);
 /// Made fast round a vessel: of no throws.
 bool is_hitch(const std::string& tie);
 
-/// The throws that are asked for, in Tera and Aberg's notation: those given, or as many as are asked of this tie; empty when the
-/// goal says nothing of them.
+/// The throws that are asked for, in Tera and Aberg's notation: those given, or as many as are asked of this tie; empty
+/// when the goal says nothing of them.
 std::string throws_asked(const Goal& goal);
 
 }  // namespace scenarios::drill

@@ -59,7 +59,9 @@ class Reader {
         }
         if (!named_.empty()) complain("`steps " + named_ + "` has no `end`");
         for (const auto& [name, steps] : steps_)
-            if (!steps.empty() && !played_.contains(name)) complain_at(steps.front().number, "`steps " + name + "` are never played, expected `play " + name + "` after them");
+            if (!steps.empty() && !played_.contains(name))
+                complain_at(steps.front().number,
+                            "`steps " + name + "` are never played, expected `play " + name + "` after them");
         if (tools_.empty()) complain("no `start` line, expected one that places every tool");
     }
 
@@ -107,7 +109,8 @@ class Reader {
     void play() {
         const std::string name = word("a name");
         const auto known = steps_.find(name);
-        if (known == steps_.end()) complain("no steps are called \"" + name + "\", expected `steps " + name + "` before");
+        if (known == steps_.end())
+            complain("no steps are called \"" + name + "\", expected `steps " + name + "` before");
         if (more()) return;
         played_.insert(name);
         const View before = view_, outside = from_;
@@ -121,7 +124,9 @@ class Reader {
         view_ = before, from_ = outside;
     }
 
-    [[noreturn]] void complain_at(int line, const std::string& what) const { fail(file_ + ":" + std::to_string(line), what); }
+    [[noreturn]] void complain_at(int line, const std::string& what) const {
+        fail(file_ + ":" + std::to_string(line), what);
+    }
     [[noreturn]] void complain(const std::string& what) const { complain_at(line_, what); }
 
     bool more() const { return next_ < words_.size(); }
@@ -141,7 +146,8 @@ class Reader {
         double value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
-            complain(std::string(what) + ": expected a number from " + shown(low) + " to " + shown(high) + ", found \"" + text + "\"");
+            complain(std::string(what) + ": expected a number from " + shown(low) + " to " + shown(high) +
+                     ", found \"" + text + "\"");
         return value;
     }
 
@@ -160,7 +166,8 @@ class Reader {
     // Of what a motion file takes.
     Vec3 within_reach(const Vec3& world_mm) const {
         if (world_mm.cwiseAbs().maxCoeff() > far_mm)
-            complain("that is " + shown(std::round(world_mm.x())) + " " + shown(std::round(world_mm.y())) + " " + shown(std::round(world_mm.z())) + " mm seen from outside all frames, expected -1000 to 1000 each");
+            complain("that is " + shown(std::round(world_mm.x())) + " " + shown(std::round(world_mm.y())) + " " +
+                     shown(std::round(world_mm.z())) + " mm seen from outside all frames, expected -1000 to 1000 each");
         return world_mm;
     }
 
@@ -229,7 +236,8 @@ class Reader {
         } else if (verb == "wait") {
             pass(number("seconds", 0.001, 600));
         } else {
-            complain("unknown step \"" + verb + "\", expected tool, start, speed, go, turn, jaw, wait, frame, mirror, steps, end or play");
+            complain("unknown step \"" + verb +
+                     "\", expected tool, start, speed, go, turn, jaw, wait, frame, mirror, steps, end or play");
         }
         if (more()) complain("\"" + words_[next_] + "\" is one word too many");
     }
@@ -240,7 +248,8 @@ class Reader {
         const Vec3 pointing = view_.frame * vector("pointing");
         expect("opening");
         const Vec3 opening = view_.frame * vector("opening");
-        if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || !has_direction(pointing) || !has_direction(opening))
+        if (pointing.cross(opening).norm() < 1e-3 * pointing.norm() * opening.norm() || !has_direction(pointing) ||
+            !has_direction(opening))
             complain("pointing and opening of " + name + " must be two different directions");
         if (tools_.empty()) return turned_.push_back({name, Vec3::Zero(), pointing, opening, 1, {}, line_});
         Tool& known = tool_named(name);
@@ -255,7 +264,8 @@ class Reader {
             if (placed.name.find(',') != std::string::npos)
                 complain("a tool cannot be called \"" + placed.name + "\": a comma ends a column of a motion file");
             for (const Tool& known : tools_)
-                if (known.name == placed.name) complain("\"" + placed.name + "\" is placed twice, expected different names");
+                if (known.name == placed.name)
+                    complain("\"" + placed.name + "\" is placed twice, expected different names");
             placed.place_mm = place();
             expect("jaw");
             placed.jaw = number("jaw", 0, 1);
@@ -313,8 +323,7 @@ class Reader {
     }
 
     void key() {
-        for (Tool& t : tools_)
-            t.keys.push_back({time_s_, {{1e-3 * t.place_mm, turned(t.pointing, t.opening)}, t.jaw}});
+        for (Tool& t : tools_) t.keys.push_back({time_s_, {{1e-3 * t.place_mm, turned(t.pointing, t.opening)}, t.jaw}});
     }
 
     std::string file_;

@@ -6,7 +6,8 @@ namespace scenarios::world {
 static Eigen::Isometry3d jaw(const Tool& tool, double side) {
     Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
     at.linear() = tool.now.pose.rotation.toRotationMatrix();
-    at.translation() = tool.now.pose.position + side * instruments::opening_of(tool.shape, tool.now.jaw) * at.linear().col(0);
+    at.translation() =
+        tool.now.pose.position + side * instruments::opening_of(tool.shape, tool.now.jaw) * at.linear().col(0);
     return at;
 }
 
@@ -22,7 +23,8 @@ void World::clamp(SoftVessel& vessel) {
 void World::lead_clamps(SoftVessel& vessel) {
     if (vessel.held_by < 0) return;
     vessel.carried = jaw(tools_[static_cast<std::size_t>(vessel.held_by)], vessel.side) * vessel.to_jaw;
-    for (tissue::Hold& hold : vessel.clamps) hold.target = vessel.carried * vessel.tissue.rest().nodes[static_cast<std::size_t>(hold.node)];
+    for (tissue::Hold& hold : vessel.clamps)
+        hold.target = vessel.carried * vessel.tissue.rest().nodes[static_cast<std::size_t>(hold.node)];
 }
 
 }  // namespace scenarios::world

@@ -18,7 +18,8 @@ double World::place_mm(int link, double share) const {
     return 1e3 * std::accumulate(rest.begin(), rest.begin() + link, share * rest[static_cast<std::size_t>(link)]);
 }
 
-// Once a tick: what else was pulled as hard is so no longer. Where it cannot break, as next to an end, it is asked again as long as the pull lasts.
+// Once a tick: what else was pulled as hard is so no longer. Where it cannot break, as next to an end, it is asked
+// again as long as the pull lasts.
 void World::break_where_pulled_too_hard() {
     if (!strength_.gives_way(tension_now_, def_.tick_s, is_elastic())) return;
     const int link = thread_.most_loaded();
@@ -34,8 +35,8 @@ void World::break_where_pulled_too_hard() {
     if (!measures_.broke_s) measures_.broke_s = time_s();
 }
 
-// Blades that close cut every strand that passes between them, as jaws would hold it; from the last, so that links before keep their
-// numbers.
+// Blades that close cut every strand that passes between them, as jaws would hold it; from the last, so that links
+// before keep their numbers.
 void World::close_blades(Tool& tool) {
     if (tool.now.jaw > open_above) tool.closed = false;
     if (tool.closed || tool.now.jaw > shut_below) return;
@@ -78,7 +79,9 @@ void World::hold_pieces(Tool& tool, std::span<const int> held) {
         if (piece.count == 0) piece.first = node;
         piece.anchor[static_cast<std::size_t>(piece.count++)] = anchor;
     };
-    const auto hold_where_it_is = [&](int node) { hold(node, in_tool(tool.now, thread_.nodes()[static_cast<std::size_t>(node)])); };
+    const auto hold_where_it_is = [&](int node) {
+        hold(node, in_tool(tool.now, thread_.nodes()[static_cast<std::size_t>(node)]));
+    };
     const int last = static_cast<int>(thread_.nodes().size()) - 1;
     std::size_t next = 0;
     for (const Grasp& grasp : tool.grasps) {

@@ -21,7 +21,8 @@ void flatten(Grasp& grasp, const JawRoom& room) {
     for (int k = 0; k < grasp.count; ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
     const auto was = grasp.anchor;
     const auto lay = [&](int from, int to) {
-        const Vec3 &leader = grasp.anchor[static_cast<std::size_t>(from)], &follower = was[static_cast<std::size_t>(to)];
+        const Vec3 &leader = grasp.anchor[static_cast<std::size_t>(from)],
+                   &follower = was[static_cast<std::size_t>(to)];
         Vec3 d = follower - was[static_cast<std::size_t>(from)];
         const double length2 = d.squaredNorm(), gap = half_gap(follower);
         d.x() = std::clamp(follower.x(), -gap, gap) - leader.x();
@@ -44,7 +45,8 @@ double apart(const std::vector<Grasp>& grasps, double most) {
     const auto meet = [&](const Grasp& one, const Grasp& other) {
         for (int i = 0; i + 1 < one.count; ++i)
             for (int k = 0; k + 1 < other.count; ++k) {
-                const Vec3 *a = &one.anchor[static_cast<std::size_t>(i)], *b = &other.anchor[static_cast<std::size_t>(k)];
+                const Vec3 *a = &one.anchor[static_cast<std::size_t>(i)],
+                           *b = &other.anchor[static_cast<std::size_t>(k)];
                 least2 = std::min(least2, sim::geometry::closest_points(a[0], a[1], b[0], b[1]).distance_squared);
             }
     };
@@ -54,18 +56,22 @@ double apart(const std::vector<Grasp>& grasps, double most) {
 }
 
 template <class T>
-const T& at(std::span<const T> values, int i) { return values[static_cast<std::size_t>(i)]; }
+const T& at(std::span<const T> values, int i) {
+    return values[static_cast<std::size_t>(i)];
+}
 
 // Whether there is such a link: not where the thread ends or was cut.
 bool joins(const sim::thread::Thread& thread, int link) {
     return link >= 0 && link < static_cast<int>(thread.rest_lengths().size()) && !thread.is_cut(link);
 }
 
-// What jaws of this width hold of a strand whose link passes through their middle plane y = 0 between them, or ends there: its nodes and those
-// beside it within the jaws, and one beyond on either side. So the first free link starts outside the metal: one between the jaws with a free
-// end would be wedged in them. Nothing (count 0) where the link does not pass.
+// What jaws of this width hold of a strand whose link passes through their middle plane y = 0 between them, or ends
+// there: its nodes and those beside it within the jaws, and one beyond on either side. So the first free link starts
+// outside the metal: one between the jaws with a free end would be wedged in them. Nothing (count 0) where the link
+// does not pass.
 template <class Place, class IsFree, class IsJoined>
-Grasp strand_between(const JawRoom& room, double width, int link, const Place& place, const IsFree& is_free, const IsJoined& is_joined) {
+Grasp strand_between(const JawRoom& room, double width, int link, const Place& place, const IsFree& is_free,
+                     const IsJoined& is_joined) {
     const auto within = [&](int k) { return is_free(k) && room.holds(place(k), width); };
     int from = link, to = link + 1;
     if (!is_joined(link) || !is_free(from) || !is_free(to)) return {};
@@ -90,9 +96,9 @@ bool World::is_held(int node) const {
     return false;
 }
 
-// Closing jaws hold every strand that passes between them. A loop that only lies round open jaws is not held. Two tools on one strand hold
-// different nodes. The thread lies where the last tick left it, so it is held by where the tool was then, and goes along with it in this tick
-// already.
+// Closing jaws hold every strand that passes between them. A loop that only lies round open jaws is not held. Two tools
+// on one strand hold different nodes. The thread lies where the last tick left it, so it is held by where the tool was
+// then, and goes along with it in this tick already.
 void World::take_hold(Tool& tool) {
     const JawRoom room(tool.shape, tool.now.jaw);
     const auto place = [&](int k) { return in_tool(tool.before, at(thread_.nodes(), k)); };
@@ -102,7 +108,9 @@ void World::take_hold(Tool& tool) {
         const Grasp grasp = strand_between(room, tool.shape.jaw_radius, i, place, is_free, is_joined);
         if (grasp.count == 0) continue;
         tool.grasps.push_back(grasp);
-        log("grasp", tool.def.name, 1e3 * std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
+        log("grasp", tool.def.name,
+            1e3 *
+                std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
         ++measures_.grasps[static_cast<std::size_t>(&tool - tools_.data())];
         i = grasp.first + grasp.count - 1;
     }
@@ -153,19 +161,24 @@ double World::pull_on(const Grasp& grasp) const {
 // An estimate from lag: all of it but the share that the grip bears.
 Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
     const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
-    const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor - thread_.nodes()[static_cast<std::size_t>(grasp.middle())];
+    const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor -
+                     thread_.nodes()[static_cast<std::size_t>(grasp.middle())];
     return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
 }
 
-// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip, by its radius a tick at most; halfway between how
-// it leaves the jaws and how it goes on: one that is bent back over them would be pulled tighter by leaving them straight.
+// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip, by its radius a tick
+// at most; halfway between how it leaves the jaws and how it goes on: one that is bent back over them would be pulled
+// tighter by leaving them straight.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
-    const int inner = ahead ? grasp.first + grasp.count - 1 : grasp.first, outwards = ahead ? 1 : -1, link = ahead ? inner : inner - 1;
+    const int inner = ahead ? grasp.first + grasp.count - 1 : grasp.first, outwards = ahead ? 1 : -1,
+              link = ahead ? inner : inner - 1;
     const double excess = pull_on(grasp) - tool.shape.grip_force;
     const double slide = stretch_by(excess, link, outwards, at(thread_.tension(), link) - excess);
     const Vec3 goes = (at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner)).normalized();
-    const Vec3 leaves = grasp.count > 1 ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized()) : goes;
+    const Vec3 leaves = grasp.count > 1
+                            ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized())
+                            : goes;
     return slide * (goes + leaves).normalized();
 }
 

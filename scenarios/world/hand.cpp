@@ -1,15 +1,19 @@
 #include "scenarios/world/world.hpp"
 
-// A hand feels what it pulls, a motion file does not: with InstrumentDef::pull a tool gives way to a strand that pulls at it harder than that.
+// A hand feels what it pulls, a motion file does not: with InstrumentDef::pull a tool gives way to a strand that pulls
+// at it harder than that.
 namespace scenarios::world {
 
-// What the strand from this link on, as far as it pulls harder than `least`, is longer by for this much of its pull; a radius at most [m].
+// What the strand from this link on, as far as it pulls harder than `least`, is longer by for this much of its pull; a
+// radius at most [m].
 double World::stretch_by(double excess, int link, int outwards, double least) const {
     const int links = static_cast<int>(thread_.tension().size());
     const auto at = [](std::span<const double> values, int k) { return values[static_cast<std::size_t>(k)]; };
     double length = 0;
-    for (int k = link; k >= 0 && k < links && at(thread_.tension(), k) > least; k += outwards) length += at(thread_.rest_lengths(), k);
-    return std::min(excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * length, thread_.def().radius);
+    for (int k = link; k >= 0 && k < links && at(thread_.tension(), k) > least; k += outwards)
+        length += at(thread_.rest_lengths(), k);
+    return std::min(excess / thread_.def().elastic->axial_stiffness(at(thread_.rest_lengths(), link)) * length,
+                    thread_.def().radius);
 }
 
 // Of all that it holds, which pulls hardest; pulls with nothing where there is none.
@@ -23,12 +27,13 @@ World::Strand World::hardest_pulling(int tool) const {
         look(grasp.first + grasp.count - 1, 1, tension_after(grasp));
     }
     for (const Needle& needle : needles_)
-        if (needle.holder.tool == tool) look(needle.node + 1, 1, thread_.tension()[static_cast<std::size_t>(needle.node) + 1]);
+        if (needle.holder.tool == tool)
+            look(needle.node + 1, 1, thread_.tension()[static_cast<std::size_t>(needle.node) + 1]);
     return hardest;
 }
 
-// No farther against the strand than by what stretches it to that pull, and back by what stretches it beyond, as far as it is tight now; by a radius
-// of it a tick at most.
+// No farther against the strand than by what stretches it to that pull, and back by what stretches it beyond, as far as
+// it is tight now; by a radius of it a tick at most.
 ToolInput World::by_feel(int number, ToolInput next) const {
     constexpr double feels = 0.5;  // of its pull; and what pulls by less than that of what it feels is slack
     const Tool& tool = tools_[static_cast<std::size_t>(number)];

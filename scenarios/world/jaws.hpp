@@ -16,8 +16,8 @@ inline Vec3 in_tool(const instruments::ToolInput& tool, const Vec3& world_point)
 // Jaws count as shut below the first and as let go above the second, so a trembling hand does not chatter.
 constexpr double shut_below = 0.25, open_above = 0.40;
 
-// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the hinge
-// to the tip along z.
+// The room between the jaws, in the tool's frame: between their axes across x, as wide as a jaw across y, from the
+// hinge to the tip along z.
 struct JawRoom {
     instruments::Capsule plus, minus;
 

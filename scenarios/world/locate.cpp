@@ -23,7 +23,8 @@ Place place_of(const std::vector<Vec3>& nodes, const std::string& knot) {
     };
     Place place{0, nodes.size() - 1};
     for (std::size_t step = nodes.size() / 2; step > 0; step /= 2) {
-        while (place.first + step + 1 < place.last && still_knotted(place.first + step, place.last)) place.first += step;
+        while (place.first + step + 1 < place.last && still_knotted(place.first + step, place.last))
+            place.first += step;
         while (place.last > place.first + step + 1 && still_knotted(place.first, place.last - step)) place.last -= step;
     }
     return place;
@@ -38,7 +39,8 @@ double length_mm(std::span<const double> rest, std::size_t first, std::size_t la
 // From a point to a tube's surface [m].
 double off_surface(const VesselDef& tube, const Vec3& p) {
     const Vec3 half = 0.5 * tube.length * tube.axis.normalized();
-    return std::sqrt(sim::geometry::closest_points(p, p, tube.centre - half, tube.centre + half).distance_squared) - 0.5 * tube.diameter;
+    return std::sqrt(sim::geometry::closest_points(p, p, tube.centre - half, tube.centre + half).distance_squared) -
+           0.5 * tube.diameter;
 }
 
 }  // namespace
@@ -54,7 +56,8 @@ std::vector<Vec3> World::curve_of(const sim::thread::Piece& piece) const {
 }
 
 std::span<const double> World::rest_of(const sim::thread::Piece& piece) const {
-    return thread_.rest_lengths().subspan(static_cast<std::size_t>(piece.first), static_cast<std::size_t>(piece.last - piece.first));
+    return thread_.rest_lengths().subspan(static_cast<std::size_t>(piece.first),
+                                          static_cast<std::size_t>(piece.last - piece.first));
 }
 
 static std::vector<double> tails_mm(std::span<const double> rest, const Place& place) {
@@ -100,7 +103,8 @@ void World::locate_hitch(const VesselDef& vessel, const sim::thread::Piece& piec
 }
 
 void World::measure_knot(const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
-    const auto from = curve.begin() + static_cast<std::ptrdiff_t>(first), to = curve.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    const auto from = curve.begin() + static_cast<std::ptrdiff_t>(first),
+               to = curve.begin() + static_cast<std::ptrdiff_t>(last) + 1;
     const sim::knot::Extent extent = sim::knot::extent({from, to});
     measures_.loop_mm = 1e3 * extent.loop();
     measures_.knot_mm = 1e3 * extent.knot();
@@ -117,7 +121,8 @@ void World::measure_knot(const std::vector<Vec3>& curve, std::size_t first, std:
     }
 }
 
-// Signed passages of the stretch [first, last] through the half plane that hangs from the vessel's axis: once round is +-1.
+// Signed passages of the stretch [first, last] through the half plane that hangs from the vessel's axis: once round is
+// +-1.
 int World::turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
     const Vec3 axis = vessel.axis.normalized();
     const Vec3 across = axis.cross(std::abs(axis.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).normalized();

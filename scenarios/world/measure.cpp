@@ -33,8 +33,8 @@ double World::tension_after(const Grasp& grasp) const {
     return link < thread_.tension().size() ? std::max(0.0, thread_.tension()[link]) : 0;
 }
 
-// No thread pulls harder than the jaws that hold it: beyond their grip it slides. One that only a needle leads pulls as hard as it likes, one that
-// nobody holds not at all. The estimate from lag alone knows no such limit.
+// No thread pulls harder than the jaws that hold it: beyond their grip it slides. One that only a needle leads pulls as
+// hard as it likes, one that nobody holds not at all. The estimate from lag alone knows no such limit.
 double World::most_pull() const {
     const auto is_led = [](const Needle& needle) { return needle.holder.tool >= 0; };
     double most = std::any_of(needles_.begin(), needles_.end(), is_led) ? std::numeric_limits<double>::infinity() : 0;
@@ -91,24 +91,29 @@ static bool ties_more(const sim::knot::Tied& a, const sim::knot::Tied& b) {
 }
 
 // A piece that lies where it lay has the name it had.
-static std::vector<NamedPiece> name_all(std::vector<std::vector<Vec3>> curves, const std::vector<std::vector<Vec3>>& cores, const std::vector<NamedPiece>& known) {
+static std::vector<NamedPiece> name_all(std::vector<std::vector<Vec3>> curves,
+                                        const std::vector<std::vector<Vec3>>& cores,
+                                        const std::vector<NamedPiece>& known) {
     std::vector<NamedPiece> pieces;
     for (auto& curve : curves) {
-        const auto same = std::find_if(known.begin(), known.end(), [&](const NamedPiece& piece) { return piece.curve == curve; });
+        const auto same =
+            std::find_if(known.begin(), known.end(), [&](const NamedPiece& piece) { return piece.curve == curve; });
         sim::knot::Tied tied = same != known.end() ? same->tied : sim::knot::name_among(curve, cores);
         pieces.push_back({std::move(curve), std::move(tied)});
     }
     return pieces;
 }
 
-// Ten names a second, faster than anyone reads them, each of a copy on another thread: no tick waits for the 2 ms that a
-// name takes. It is taken at a tick known beforehand, so that a session is the same however busy the machine is.
+// Ten names a second, faster than anyone reads them, each of a copy on another thread: no tick waits for the 2 ms that
+// a name takes. It is taken at a tick known beforehand, so that a session is the same however busy the machine is.
 void World::name_beside() {
     constexpr std::uint64_t period = 100, delay = 20;  // [ticks]
     if (naming_.valid() && ticks_ % period == delay) take_names(naming_.get());
     if (ticks_ % period != 0 || !moved_since_named_) return;
     moved_since_named_ = false;
-    naming_ = std::async(std::launch::async, [curves = curves(), cores = cores_, known = named_]() mutable { return name_all(std::move(curves), cores, known); });
+    naming_ = std::async(std::launch::async, [curves = curves(), cores = cores_, known = named_]() mutable {
+        return name_all(std::move(curves), cores, known);
+    });
 }
 
 void World::name_knot_now() {

@@ -10,9 +10,12 @@ namespace scenarios::world {
 using sim::at;
 using sim::geometry::Vec3;
 
-static std::array<const Vec3*, 3> corners_of(const Triangle& t) { return {&t.a, &t.b, &t.c}; }
+static std::array<const Vec3*, 3> corners_of(const Triangle& t) {
+    return {&t.a, &t.b, &t.c};
+}
 
-MovingWall::MovingWall(std::vector<Triangle> triangles, double radius) : radius_(radius), tree_(triangles), moved_(std::move(triangles)) {
+MovingWall::MovingWall(std::vector<Triangle> triangles, double radius)
+    : radius_(radius), tree_(triangles), moved_(std::move(triangles)) {
     number_corners(std::vector<Holes>(moved_.size(), {-1, -1, -1}));
     places_ = targets_;
 }
@@ -36,24 +39,28 @@ void MovingWall::number_corners(const std::vector<Holes>& holes) {
     share_.resize(hole_.empty() ? 0 : static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
 }
 
-void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts, const std::vector<Holes>& holes) {
+void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts,
+                       const std::vector<Holes>& holes) {
     const std::vector<Triangle> shown = moved_;
     moved_ = std::move(triangles);
     number_corners(holes);
     places_.resize(targets_.size());
     for (std::size_t t = 0; t < moved_.size(); ++t) {
         const Triangle& whole = shown[at(parts[t].of)];
-        for (std::size_t k = 0; k < 3; ++k) places_[at(corners_[t][k])] = tissue::point_in(whole, parts[t].weights.col(static_cast<Eigen::Index>(k)));
+        for (std::size_t k = 0; k < 3; ++k)
+            places_[at(corners_[t][k])] = tissue::point_in(whole, parts[t].weights.col(static_cast<Eigen::Index>(k)));
     }
     show();
     tree_ = sim::geometry::TriangleTree(moved_);
 }
 
 void MovingWall::show() {
-    for (std::size_t t = 0; t < moved_.size(); ++t) moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
+    for (std::size_t t = 0; t < moved_.size(); ++t)
+        moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
 }
 
-// A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools may press it.
+// A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools
+// may press it.
 double MovingWall::may(double room) const {
     constexpr double share = 0.45, left_at_least = 0.6;
     return share * std::max(0.0, room - left_at_least * radius_);
@@ -62,18 +69,21 @@ double MovingWall::may(double room) const {
 void MovingWall::move_holes(std::span<const sim::thread::SurfaceGap> gaps) {
     std::fill(share_.begin(), share_.end(), 1.0);
     const auto shorten = [&](std::size_t corner, double way, double most) {
-        if (hole_[corner] >= 0 && way > most) share_[at(hole_[corner])] = std::min(share_[at(hole_[corner])], most / way);
+        if (hole_[corner] >= 0 && way > most)
+            share_[at(hole_[corner])] = std::min(share_[at(hole_[corner])], most / way);
     };
     for (std::size_t c = 0; c < ways_.size(); ++c) shorten(c, ways_[c].norm(), may(room_[c]));
     for (const auto& gap : gaps)
-        for (const int corner : corners_[at(gap.triangle)]) shorten(at(corner), ways_[at(corner)].dot(gap.normal), may(gap.gap));
+        for (const int corner : corners_[at(gap.triangle)])
+            shorten(at(corner), ways_[at(corner)].dot(gap.normal), may(gap.gap));
     for (std::size_t c = 0; c < ways_.size(); ++c)
         if (hole_[c] >= 0) ways_[c] *= share_[at(hole_[c])];
 }
 
-// What of a way comes nearer by more than it may is left out; the rest slides. That is the nearest way to the one asked for that no strand forbids, found by
-// Hildreth's method: what each strand took is remembered and given back where others take it. Without that, strands that look all ways, as in a knot, turn a
-// corner's way round one after the other, and it runs off.
+// What of a way comes nearer by more than it may is left out; the rest slides. That is the nearest way to the one asked
+// for that no strand forbids, found by Hildreth's method: what each strand took is remembered and given back where
+// others take it. Without that, strands that look all ways, as in a knot, turn a corner's way round one after the
+// other, and it runs off.
 void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
     constexpr int sweeps = 6;  // what is left after them shortens its way
     taken_.assign(3 * gaps.size(), 0);
@@ -86,12 +96,15 @@ void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
                 const double nearer = way.dot(gaps[g].normal), most = may(gaps[g].gap);
                 double& taken = taken_[3 * g + k];
                 const double more = std::max(-taken, nearer - most);
-                if (sweep < sweeps) way -= more * gaps[g].normal, taken += more;
-                else if (nearer > most) way *= most / nearer;
+                if (sweep < sweeps)
+                    way -= more * gaps[g].normal, taken += more;
+                else if (nearer > most)
+                    way *= most / nearer;
             }
 }
 
-double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms, std::span<const sim::thread::SurfaceGap> gaps) {
+double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms,
+                          std::span<const sim::thread::SurfaceGap> gaps) {
     std::fill(room_.begin(), room_.end(), 1e300);
     for (std::size_t t = 0; t < targets.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {

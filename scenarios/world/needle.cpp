@@ -10,7 +10,8 @@ namespace scenarios::world {
 // Between the jaws' middle plane and the wire: as it should be held, 90.
 static double degrees_to_jaws(const Arc& seen, double along) {
     const Vec3 wire = seen.tangent(along);
-    return 180 / 3.14159265358979324 * sim::geometry::portable_atan2(std::abs(wire.y()), std::sqrt(wire.x() * wire.x() + wire.z() * wire.z()));
+    return 180 / 3.14159265358979324 *
+           sim::geometry::portable_atan2(std::abs(wire.y()), std::sqrt(wire.x() * wire.x() + wire.z() * wire.z()));
 }
 
 // Along the wire [m], where it passes through the jaws' middle plane between them.
@@ -37,7 +38,8 @@ bool World::take(Needle& needle, int number, const JawRoom& room) {
     const Holder holder{number, seen, *along};
     (needle.holder.tool < 0 ? needle.holder : needle.next) = holder;
     const double degrees = degrees_to_jaws(seen, *along);
-    if (!measures_.needle_deg || degrees < measures_.needle_deg->value) measures_.needle_deg = Moment{degrees, time_s()};
+    if (!measures_.needle_deg || degrees < measures_.needle_deg->value)
+        measures_.needle_deg = Moment{degrees, time_s()};
     char what[64];
     std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees);
     log("needle_grasp", what, 1e3 * *along);
@@ -45,7 +47,9 @@ bool World::take(Needle& needle, int number, const JawRoom& room) {
 }
 
 bool World::is_needle_in_wall() const {
-    return std::any_of(vessels_.begin(), vessels_.end(), [](const SoftVessel& vessel) { return vessel.bites.touches() || vessel.bites.holes_on_needle() > 0; });
+    return std::any_of(vessels_.begin(), vessels_.end(), [](const SoftVessel& vessel) {
+        return vessel.bites.touches() || vessel.bites.holes_on_needle() > 0;
+    });
 }
 
 bool World::take_needle(int number, const JawRoom& room) {
@@ -70,7 +74,9 @@ void World::let_needle_go(int number) {
     }
 }
 
-Arc Needle::led_by(const instruments::Pose& tool) const { return holder.tool < 0 ? now : instruments::out_of_tool(holder.seen, tool); }
+Arc Needle::led_by(const instruments::Pose& tool) const {
+    return holder.tool < 0 ? now : instruments::out_of_tool(holder.seen, tool);
+}
 
 // What walls push and pull at it with is taken to act at its tip: there it bends most about the jaws. Told once.
 void World::watch_needle() {
@@ -85,7 +91,8 @@ void World::watch_needle() {
     log("needle_bent", tools_[static_cast<std::size_t>(needle.holder.tool)].def.name, force.norm());
 }
 
-// The second to hold it has it no longer where it is no longer between its jaws, were they open: it does not follow them, for the first leads it.
+// The second to hold it has it no longer where it is no longer between its jaws, were they open: it does not follow
+// them, for the first leads it.
 void World::drop_second_grip(Needle& needle) {
     if (needle.next.tool < 0) return;
     const Tool& tool = tools_[static_cast<std::size_t>(needle.next.tool)];
@@ -94,7 +101,8 @@ void World::drop_second_grip(Needle& needle) {
     log("needle_release", tool.def.name, 0);
 }
 
-// The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where it is.
+// The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where
+// it is.
 void World::hold_thread_on(Needle& needle) {
     const int owner = needle.holder.tool;
     const bool is_led = owner >= 0;

@@ -11,7 +11,9 @@ namespace scenarios::world {
 using tissue::Side;
 
 // From its cut to its far end; the second of the two ends where neither is held or both are.
-static Vec3 inwards(const VesselDef& def) { return def.start_held && !def.end_held ? Vec3(-def.axis) : def.axis; }
+static Vec3 inwards(const VesselDef& def) {
+    return def.start_held && !def.end_held ? Vec3(-def.axis) : def.axis;
+}
 
 // Columns: along the vessel, across it level, across both. Two that face each other so have cuts that are parallel.
 static Eigen::Matrix3d frame_of(const Vec3& along) {
@@ -26,7 +28,8 @@ static Eigen::Matrix3d frame_of(const Vec3& along) {
 tissue::Mesh wall_of(const VesselDef& def) {
     if (!def.triangles.empty()) return tissue::make_wall(def.outside, def.triangles, {.thickness = def.wall}).mesh;
     const bool is_cut = !def.start_held || !def.end_held;
-    tissue::TubeDef tube{.diameter = def.diameter, .wall = def.wall, .length = def.length, .cut_angle = is_cut ? def.cut_angle : 90.0};
+    tissue::TubeDef tube{
+        .diameter = def.diameter, .wall = def.wall, .length = def.length, .cut_angle = is_cut ? def.cut_angle : 90.0};
     tube.near_length = is_cut ? std::min(def.diameter, 0.5 * def.length) : 0.5 * def.length;
     tissue::Mesh wall = make_tube(tube);
     const Vec3 along = inwards(def), cut = def.centre - 0.5 * def.length * along;
@@ -37,11 +40,14 @@ tissue::Mesh wall_of(const VesselDef& def) {
 
 // A clamp takes as much of an end that is no tube's as its wall is thick.
 static std::vector<tissue::Hold> clamps_of_mesh(const VesselDef& def, const tissue::Mesh& wall) {
-    const auto [low, high] = std::minmax_element(wall.nodes.begin(), wall.nodes.end(), [&](const Vec3& a, const Vec3& b) { return def.axis.dot(a) < def.axis.dot(b); });
+    const auto [low, high] =
+        std::minmax_element(wall.nodes.begin(), wall.nodes.end(),
+                            [&](const Vec3& a, const Vec3& b) { return def.axis.dot(a) < def.axis.dot(b); });
     std::vector<tissue::Hold> clamps;
     for (std::size_t i = 0; i < wall.nodes.size(); ++i) {
         const Vec3& node = wall.nodes[i];
-        if ((def.start_held && def.axis.dot(node - *low) <= def.wall) || (def.end_held && def.axis.dot(*high - node) <= def.wall))
+        if ((def.start_held && def.axis.dot(node - *low) <= def.wall) ||
+            (def.end_held && def.axis.dot(*high - node) <= def.wall))
             clamps.push_back({static_cast<int>(i), node});
     }
     return clamps;
@@ -51,7 +57,8 @@ static std::vector<tissue::Hold> clamps_of(const VesselDef& def, const tissue::M
     if (!def.triangles.empty()) return clamps_of_mesh(def, wall);
     std::set<int> held;
     for (const tissue::Face& face : wall.faces)
-        if ((face.side == Side::far_end && (def.start_held || def.end_held)) || (face.side == Side::cut && def.start_held && def.end_held))
+        if ((face.side == Side::far_end && (def.start_held || def.end_held)) ||
+            (face.side == Side::cut && def.start_held && def.end_held))
             held.insert(face.nodes.begin(), face.nodes.end());
     std::vector<tissue::Hold> clamps;
     for (const int node : held) clamps.push_back({node, wall.nodes[static_cast<std::size_t>(node)]});
@@ -64,26 +71,35 @@ static tissue::Material material_of(const VesselDef& def) {
     return material;
 }
 
-// What the needle opens stays open. It goes through aslant, at 25 degrees to a wall and more, and so does the thread after it, whose first node
-// follows the needle exactly: that touches no rim. At the wire's own width it jammed there.
+// What the needle opens stays open. It goes through aslant, at 25 degrees to a wall and more, and so does the thread
+// after it, whose first node follows the needle exactly: that touches no rim. At the wire's own width it jammed there.
 static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
     return {.puncture = def.puncture_force, .grip = 2, .hole = 1.5 * wire, .axis = def.axis, .wall = def.wall};
 }
 
 SoftVessel::SoftVessel(const VesselDef& def, double wire)
-    : tissue(material_of(def), wall_of(def)), skin(tissue.rest()), bites(bites_of(def, wire), tissue.rest()), clamps(clamps_of(def, tissue.rest())), held_by(def.held_by),
+    : tissue(material_of(def), wall_of(def)),
+      skin(tissue.rest()),
+      bites(bites_of(def, wire), tissue.rest()),
+      clamps(clamps_of(def, tissue.rest())),
+      held_by(def.held_by),
       name(def.name) {
     for (const auto& [from, to] : def.bitten) bites.begin_with(from, to, skin);
     skin.forget_parts();
     pulls.assign(static_cast<std::size_t>(skin.holes()), Vec3::Zero());
-    presses.reserve(1024), pressed.reserve(128), forces.reserve(4096), pulls.reserve(128), mean_pulls.reserve(128), strengths.reserve(64);
+    presses.reserve(1024), pressed.reserve(128), forces.reserve(4096), pulls.reserve(128), mean_pulls.reserve(128),
+        strengths.reserve(64);
 }
 
-// Of a wall with all that presses on it at a hole, at so many places [N/m]: as much as some 5 mm of 6-0 polypropylene along itself, and twice that where thread
-// cannot stretch. Thread and wall are stepped in turn, each reckoning with how the other gives way (`wall_gives`): where this is too little, as at a fifth, or as
-// where all of a strand that lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a bite pulled to what it bears goes
-// to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is shared by all places that are pressed at a hole.
-static double stiffness_with(bool elastic, int places) { return elastic ? std::max(5e3, places / wall_gives) : 1e4; }
+// Of a wall with all that presses on it at a hole, at so many places [N/m]: as much as some 5 mm of 6-0 polypropylene
+// along itself, and twice that where thread cannot stretch. Thread and wall are stepped in turn, each reckoning with
+// how the other gives way (`wall_gives`): where this is too little, as at a fifth, or as where all of a strand that
+// lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a bite pulled to
+// what it bears goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is
+// shared by all places that are pressed at a hole.
+static double stiffness_with(bool elastic, int places) {
+    return elastic ? std::max(5e3, places / wall_gives) : 1e4;
+}
 
 void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geometry::Triangle& shown, double believed) {
     if (force.force.isZero(0)) return;
@@ -92,13 +108,17 @@ void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geomet
     const double size = force.force.norm();
     const Vec3 way = force.force / size;
     const double gone = way.dot(tissue::point_in(skin[triangle], weights) - force.at);
-    // A wall that comes back meets a thread that comes after it, and presses as hard; one that sleeps holds it where it was.
-    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way, (force.asleep ? gone : std::max(0.0, gone)) - way.dot(force.deeper)});
+    // A wall that comes back meets a thread that comes after it, and presses as hard; one that sleeps holds it where it
+    // was.
+    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way,
+                       (force.asleep ? gone : std::max(0.0, gone)) - way.dot(force.deeper)});
 }
 
 void SoftVessel::load(double share, bool elastic) {
     pressed.assign(static_cast<std::size_t>(skin.holes() + 1), {});
-    const auto all = [&](const Press& press) -> auto& { return pressed[static_cast<std::size_t>(press.hole + 1)]; };
+    const auto all = [&](const Press& press) -> auto& {
+        return pressed[static_cast<std::size_t>(press.hole + 1)];
+    };
     for (const Press& press : presses) all(press).size += press.size, ++all(press).places;
     for (const Press& press : presses) {
         if (press.hole >= 0) pulls[static_cast<std::size_t>(press.hole)] += share * press.size * press.way;
@@ -109,7 +129,8 @@ void SoftVessel::load(double share, bool elastic) {
     presses.clear();
 }
 
-std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles, std::span<SoftVessel> vessels) {
+std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles,
+                                                std::span<SoftVessel> vessels) {
     for (SoftVessel& vessel : vessels) {
         vessel.first = static_cast<int>(triangles.size());
         for (int t = 0; t < vessel.skin.size(); ++t) triangles.push_back(vessel.skin[t]);
@@ -122,7 +143,9 @@ std::vector<std::array<int, 3>> holes_in(std::size_t rigid, std::span<const Soft
     int before = 0;
     for (const SoftVessel& vessel : vessels) {
         for (int t = 0; t < vessel.skin.size(); ++t) {
-            const auto hole = [&](std::size_t corner) { return vessel.skin.hole_at(t, corner) < 0 ? -1 : before + vessel.skin.hole_at(t, corner); };
+            const auto hole = [&](std::size_t corner) {
+                return vessel.skin.hole_at(t, corner) < 0 ? -1 : before + vessel.skin.hole_at(t, corner);
+            };
             holes.push_back({hole(0), hole(1), hole(2)});
         }
         before += vessel.skin.holes();

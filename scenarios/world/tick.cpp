@@ -23,21 +23,29 @@ void World::tick(std::span<const ToolInput> inputs) {
 // set free, it would else leap, and whip the thread.
 static ToolInput within_a_tick(const Tool& tool, const ToolInput& wanted, double tick_s) {
     constexpr double catching_up = 0.1;  // [m/s]
-    const auto way_from = [&](const instruments::Pose& from) { return instruments::way_between(from, wanted.pose, tool.shape.jaw_length); };
+    const auto way_from = [&](const instruments::Pose& from) {
+        return instruments::way_between(from, wanted.pose, tool.shape.jaw_length);
+    };
     const double behind = way_from(tool.now.pose), most = way_from(tool.asked.pose) + catching_up * tick_s;
-    return behind > most ? ToolInput{instruments::between(tool.now.pose, wanted.pose, most / behind), wanted.jaw} : wanted;
+    return behind > most ? ToolInput{instruments::between(tool.now.pose, wanted.pose, most / behind), wanted.jaw}
+                         : wanted;
 }
 
 // Its clamps run on screws, and walls come after them.
 static ToolInput by_screw(const Tool& tool, const ToolInput& wanted, double tick_s) {
     constexpr double screw = 0.01;  // [m/s]
-    const double opens = instruments::opening_of(tool.shape, wanted.jaw) - instruments::opening_of(tool.shape, tool.now.jaw);
-    const double way = instruments::way_between(tool.now.pose, wanted.pose, tool.shape.jaw_length) + std::abs(opens), share = screw * tick_s / way;
+    const double opens =
+        instruments::opening_of(tool.shape, wanted.jaw) - instruments::opening_of(tool.shape, tool.now.jaw);
+    const double way = instruments::way_between(tool.now.pose, wanted.pose, tool.shape.jaw_length) + std::abs(opens),
+                 share = screw * tick_s / way;
     if (!(share < 1)) return wanted;
-    return {instruments::between(tool.now.pose, wanted.pose, share), tool.now.jaw + share * (wanted.jaw - tool.now.jaw)};
+    return {instruments::between(tool.now.pose, wanted.pose, share),
+            tool.now.jaw + share * (wanted.jaw - tool.now.jaw)};
 }
 
-static double told_behind(const Tool& tool) { return 2 * tool.shape.jaw_radius; }
+static double told_behind(const Tool& tool) {
+    return 2 * tool.shape.jaw_radius;
+}
 
 // Swept from where each tool is to where it is asked to be: a fast tool stops at what it meets.
 void World::move_instruments(std::span<const ToolInput> inputs) {
@@ -51,14 +59,17 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
             continue;
         }
         ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
-        if (tool.def.kind == instruments::Kind::scissors) next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
+        if (tool.def.kind == instruments::Kind::scissors)
+            next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
         if (tool.def.kind == instruments::Kind::approximator) next = by_screw(tool, next, def_.tick_s);
         if (std::isfinite(tool.def.pull)) next = by_feel(static_cast<int>(i), next);
         const instruments::Advance advance = bench_.advance(static_cast<int>(i), next);
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
-        if (tool.stopped) tell_what_holds_up(tool, advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel");
+        if (tool.stopped)
+            tell_what_holds_up(
+                tool, advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel");
     }
 }
 
@@ -98,24 +109,37 @@ sim::thread::TickReport World::move_thread() {
     capsules_.clear();
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         const Tool& tool = tools_[i];
-        const instruments::Pose &start = tool.before.pose, &next = tool.now.pose, &wanted = tool.stopped ? next : tool.asked.pose;
+        const instruments::Pose &start = tool.before.pose, &next = tool.now.pose,
+                                &wanted = tool.stopped ? next : tool.asked.pose;
         for (const Grasp& grasp : tool.grasps)
             for (int k = 0; k < grasp.count; ++k) {
                 const Vec3& anchor = grasp.anchor[static_cast<std::size_t>(k)];
-                const auto led_by = [&](const instruments::Pose& pose) -> Vec3 { return pose.position + pose.rotation * anchor; };
+                const auto led_by = [&](const instruments::Pose& pose) -> Vec3 {
+                    return pose.position + pose.rotation * anchor;
+                };
                 holds_.push_back({grasp.first + k, led_by(next), led_by(wanted), true, led_by(start)});
                 hold_owners_.push_back(static_cast<int>(i));
             }
         const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw);
         const auto to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
-        for (std::size_t part = 0; part < from.size(); ++part) capsules_.push_back({from[part], to[part], static_cast<int>(i)});
+        for (std::size_t part = 0; part < from.size(); ++part)
+            capsules_.push_back({from[part], to[part], static_cast<int>(i)});
     }
     swages_.clear();
     for (Needle& needle : needles_) {
         hold_thread_on(needle);
         swages_.push_back(needle.node);
     }
-    return thread_.tick({holds_, hold_owners_, capsules_, &wall_.tree(), def_.tick_s, {}, wall_moved_, swages_, vessels_.empty() ? wall_.size() : vessels_.front().first, wall_gives});
+    return thread_.tick({holds_,
+                         hold_owners_,
+                         capsules_,
+                         &wall_.tree(),
+                         def_.tick_s,
+                         {},
+                         wall_moved_,
+                         swages_,
+                         vessels_.empty() ? wall_.size() : vessels_.front().first,
+                         wall_gives});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic one lets all wait for one.
@@ -124,7 +148,8 @@ void World::let_tools_wait() {
         Tool& tool = tools_[i];
         const double share = thread_.progress(static_cast<int>(i));
         if (share < 1) {
-            tool.now = {instruments::between(tool.before.pose, tool.now.pose, share), tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
+            tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
+                        tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
             bench_.set_pose(static_cast<int>(i), tool.now);
             if (!tool.stopped) tell_what_holds_up(tool, "the thread");
             for (Needle& needle : needles_)

@@ -6,17 +6,26 @@
 namespace scenarios::world {
 
 // Each step is as long as it takes until the same vessel's turn comes again, 2 ms at least: one vessel a tick.
-static std::uint64_t period(std::size_t vessels) { return std::max<std::uint64_t>(2, vessels); }
+static std::uint64_t period(std::size_t vessels) {
+    return std::max<std::uint64_t>(2, vessels);
+}
 
 static const char* name_of(tissue::BiteEvent::Kind kind) {
     switch (kind) {
-        case tissue::BiteEvent::pierced: return "pierced";
-        case tissue::BiteEvent::through: return "through";
-        case tissue::BiteEvent::back_in: return "back_in";
-        case tissue::BiteEvent::withdrawn: return "withdrawn";
-        case tissue::BiteEvent::drawn: return "drawn";
-        case tissue::BiteEvent::torn: return "torn";
-        case tissue::BiteEvent::slipped: return "slipped";
+        case tissue::BiteEvent::pierced:
+            return "pierced";
+        case tissue::BiteEvent::through:
+            return "through";
+        case tissue::BiteEvent::back_in:
+            return "back_in";
+        case tissue::BiteEvent::withdrawn:
+            return "withdrawn";
+        case tissue::BiteEvent::drawn:
+            return "drawn";
+        case tissue::BiteEvent::torn:
+            return "torn";
+        case tissue::BiteEvent::slipped:
+            return "slipped";
     }
     return "";
 }
@@ -24,7 +33,8 @@ static const char* name_of(tissue::BiteEvent::Kind kind) {
 // By `ftl` a tension is an estimate: no more than the thread, and the jaws that hold it, bear.
 double World::believed_share() const {
     if (is_elastic()) return 1;
-    const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()), most = std::min(most_pull(), def_.thread.break_force);
+    const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()),
+                 most = std::min(most_pull(), def_.thread.break_force);
     return tension <= most ? 1 : most / tension;
 }
 
@@ -33,7 +43,8 @@ void World::load_vessels() {
     const double share = 1.0 / static_cast<double>(period(vessels_.size())), believed = believed_share();
     for (const sim::thread::SurfaceForce& pressed : thread_.surface_forces())
         for (SoftVessel& vessel : vessels_)
-            if (vessel.first <= pressed.triangle && pressed.triangle < vessel.first + vessel.skin.size()) vessel.press(pressed, pressed.asleep.value_or(wall_.tree()[pressed.triangle]), believed);
+            if (vessel.first <= pressed.triangle && pressed.triangle < vessel.first + vessel.skin.size())
+                vessel.press(pressed, pressed.asleep.value_or(wall_.tree()[pressed.triangle]), believed);
     for (SoftVessel& vessel : vessels_) vessel.load(share, is_elastic());
 }
 
@@ -41,8 +52,10 @@ void World::load_vessels() {
 void World::push_walls(int vessel) {
     SoftVessel& of = vessels_[static_cast<std::size_t>(vessel)];
     for (const Tool& tool : tools_) {
-        const bool holds = std::any_of(tool.walls.begin(), tool.walls.end(), [&](const WallGrip& grip) { return grip.vessel == vessel; });
-        const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw), to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
+        const bool holds = std::any_of(tool.walls.begin(), tool.walls.end(),
+                                       [&](const WallGrip& grip) { return grip.vessel == vessel; });
+        const auto from = instruments::parts_at(tool.shape, tool.before.pose, tool.before.jaw),
+                   to = instruments::parts_at(tool.shape, tool.now.pose, tool.now.jaw);
         for (std::size_t part = 0; part < to.size(); ++part)
             if (!holds || part == instruments::shaft) tool_contact_.press(of.skin, to[part], from[part], of.forces);
     }
@@ -53,7 +66,8 @@ void World::press_walls_together() {
     for (std::size_t a = 0; a < vessels_.size(); ++a) {
         wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces, vessels_[a].carried);
         for (std::size_t b = a + 1; b < vessels_.size(); ++b)
-            wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces, vessels_[b].tissue.rest(), vessels_[b].skin, vessels_[b].forces);
+            wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces,
+                                vessels_[b].tissue.rest(), vessels_[b].skin, vessels_[b].forces);
     }
 }
 
@@ -74,7 +88,8 @@ void World::move(SoftVessel& vessel, double seconds) {
     if (needles_.empty()) {
         vessel.bites.press(nullptr, vessel.skin);
     } else {
-        const Arc with_swage = needle().longer(thread_.rest_lengths()[static_cast<std::size_t>(needle_in_use().node)]);  // the link that it leads as stiffly as itself
+        const Arc with_swage = needle().longer(thread_.rest_lengths()[static_cast<std::size_t>(
+            needle_in_use().node)]);  // the link that it leads as stiffly as itself
         vessel.bites.press(&with_swage, vessel.skin);
     }
     vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
@@ -86,7 +101,8 @@ void World::move(SoftVessel& vessel, double seconds) {
     pull_at_bites(vessel, seconds);
     for (const tissue::BiteEvent& event : vessel.bites.events()) {
         log(name_of(event.kind), vessel.name, event.force);
-        const bool bites = event.kind == tissue::BiteEvent::pierced || event.kind == tissue::BiteEvent::through || event.kind == tissue::BiteEvent::withdrawn;
+        const bool bites = event.kind == tissue::BiteEvent::pierced || event.kind == tissue::BiteEvent::through ||
+                           event.kind == tissue::BiteEvent::withdrawn;
         if (!bites) continue;
         vessel.bitten_s.resize(vessel.bites.bites().size());
         vessel.bitten_s[static_cast<std::size_t>(event.bite)] = time_s();
@@ -111,7 +127,8 @@ void World::renew_wall() {
 // The thread meets them where they are now, or as near to there as it makes room.
 void World::show_vessels() {
     for (const SoftVessel& vessel : vessels_)
-        for (int t = 0; t < vessel.skin.size(); ++t) targets_[static_cast<std::size_t>(vessel.first + t)] = vessel.skin[t];
+        for (int t = 0; t < vessel.skin.size(); ++t)
+            targets_[static_cast<std::size_t>(vessel.first + t)] = vessel.skin[t];
     if (wall_is_new_) {
         wall_moved_ = std::numeric_limits<double>::infinity();
         wall_is_new_ = false;

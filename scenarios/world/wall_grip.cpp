@@ -22,14 +22,17 @@ std::vector<int> tetrahedra_between(const tissue::Tissue& wall, const Tool& tool
     std::vector<int> between;
     for (std::size_t t = 0; t < wall.rest().tetrahedra.size(); ++t) {
         sim::geometry::Box box;
-        for (const int node : wall.rest().tetrahedra[t]) box.include(in_tool(tool.before, wall.nodes()[static_cast<std::size_t>(node)]));
-        if (box.low.y() <= 0 && box.high.y() >= 0 && box.low.z() <= 0 && box.high.z() >= -tool.shape.jaw_length) between.push_back(static_cast<int>(t));
+        for (const int node : wall.rest().tetrahedra[t])
+            box.include(in_tool(tool.before, wall.nodes()[static_cast<std::size_t>(node)]));
+        if (box.low.y() <= 0 && box.high.y() >= 0 && box.low.z() <= 0 && box.high.z() >= -tool.shape.jaw_length)
+            between.push_back(static_cast<int>(t));
     }
     return between;
 }
 
 // The one of them round `p`; -1 where `p` is in none.
-int tetrahedron_at(const tissue::Tissue& wall, const std::vector<int>& near, const Vec3& p, std::array<double, 4>& weights) {
+int tetrahedron_at(const tissue::Tissue& wall, const std::vector<int>& near, const Vec3& p,
+                   std::array<double, 4>& weights) {
     for (const int t : near) {
         weights = weights_in(wall.rest().tetrahedra[static_cast<std::size_t>(t)], wall.nodes(), p);
         if (*std::min_element(weights.begin(), weights.end()) >= 0) return t;
@@ -37,48 +40,61 @@ int tetrahedron_at(const tissue::Tissue& wall, const std::vector<int>& near, con
     return -1;
 }
 
-double look_of(const Tool& tool) { return 0.5 * tool.shape.jaw_radius; }  // [m]
+double look_of(const Tool& tool) {
+    return 0.5 * tool.shape.jaw_radius;
+}  // [m]
 
 }  // namespace
 
-// Of one look along the jaws: of each wall between them what is nearest to their middle, for a vessel pinched flat lies in two.
+// Of one look along the jaws: of each wall between them what is nearest to their middle, for a vessel pinched flat lies
+// in two.
 void World::look_for_walls(Tool& tool, const JawRoom& room, int vessel, const std::vector<int>& near, double z) const {
     const double look = look_of(tool), low = room.axis_x(room.minus, z), high = room.axis_x(room.plus, z);
     const int looks = std::max(1, static_cast<int>((high - low) / look));
     const tissue::Tissue& wall = vessels_[static_cast<std::size_t>(vessel)].tissue;
-    const auto at_rest = [&](const tissue::MaterialPoint& point) { return tissue::position(point, wall.rest(), wall.rest().nodes); };
+    const auto at_rest = [&](const tissue::MaterialPoint& point) {
+        return tissue::position(point, wall.rest(), wall.rest().nodes);
+    };
     const std::size_t first = tool.walls.size();
     Vec3 last = Vec3::Constant(1e300);  // where the look before was, at rest
     for (int k = 0; k < looks; ++k) {
         const Vec3 p(low + (k + 0.5) * (high - low) / looks, 0, z);
         WallGrip grip{vessel, {}, p};
-        grip.at.tetrahedron = tetrahedron_at(wall, near, tool.before.pose.position + tool.before.pose.rotation * p, grip.at.weights);
+        grip.at.tetrahedron =
+            tetrahedron_at(wall, near, tool.before.pose.position + tool.before.pose.rotation * p, grip.at.weights);
         if (grip.at.tetrahedron < 0) continue;
         constexpr double other_wall = 4;  // looks: no wall that is held is pressed to a quarter
         const bool goes_on = (at_rest(grip.at) - last).norm() < other_wall * look;
         last = at_rest(grip.at);
         if (!goes_on && tool.walls.size() == tool.walls.capacity()) break;
-        if (!goes_on) tool.walls.push_back(grip);
-        else if (std::abs(p.x()) < std::abs(tool.walls.back().anchor.x())) tool.walls.back() = grip;
+        if (!goes_on)
+            tool.walls.push_back(grip);
+        else if (std::abs(p.x()) < std::abs(tool.walls.back().anchor.x()))
+            tool.walls.back() = grip;
     }
     double middle = 0;
-    for (std::size_t i = first; i < tool.walls.size(); ++i) middle += tool.walls[i].anchor.x() / static_cast<double>(tool.walls.size() - first);
+    for (std::size_t i = first; i < tool.walls.size(); ++i)
+        middle += tool.walls[i].anchor.x() / static_cast<double>(tool.walls.size() - first);
     for (std::size_t i = first; i < tool.walls.size(); ++i) tool.walls[i].anchor.x() -= middle;
 }
 
-// Closing jaws hold what of a wall is between them in their middle plane. It comes to lie flat between them, as a strand does.
+// Closing jaws hold what of a wall is between them in their middle plane. It comes to lie flat between them, as a
+// strand does.
 void World::take_wall(Tool& tool, const JawRoom& room) {
     for (std::size_t v = 0; v < vessels_.size(); ++v) {
         const std::size_t had = tool.walls.size();
         const std::vector<int> near = tetrahedra_between(vessels_[v].tissue, tool);
-        for (double z = -0.5 * look_of(tool); z > -tool.shape.jaw_length; z -= look_of(tool)) look_for_walls(tool, room, static_cast<int>(v), near, z);
-        if (tool.walls.size() > had) log("wall_grasp", tool.def.name + ", " + vessels_[v].name, static_cast<double>(tool.walls.size() - had));
+        for (double z = -0.5 * look_of(tool); z > -tool.shape.jaw_length; z -= look_of(tool))
+            look_for_walls(tool, room, static_cast<int>(v), near, z);
+        if (tool.walls.size() > had)
+            log("wall_grasp", tool.def.name + ", " + vessels_[v].name, static_cast<double>(tool.walls.size() - had));
     }
 }
 
 // Jaws draw what they hold to where they are, each look as hard as its share of the grip at the most.
 void World::pull_walls(int vessel) {
-    // Twenty times as stiff as a wall is under a millimetre's pull, so that what is held lags by a twentieth of how far the wall is drawn.
+    // Twenty times as stiff as a wall is under a millimetre's pull, so that what is held lags by a twentieth of how far
+    // the wall is drawn.
     constexpr double stiffness = 1000;  // [N/m] of all looks of a tool together
     for (const Tool& tool : tools_)
         for (const WallGrip& grip : tool.walls) {

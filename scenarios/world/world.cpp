@@ -14,8 +14,12 @@ static double section(const ThreadDef& def) {
 
 static sim::thread::RodDef elastic(const ThreadDef& def) {
     constexpr double g = 9.81;
-    sim::thread::RodDef rod{.young = def.young_modulus, .bending_share = def.bending_share, .density = def.density, .keeps_shape = true,
-                            .quasi_static = !def.swings, .yield_strain = def.yield_strain};
+    sim::thread::RodDef rod{.young = def.young_modulus,
+                            .bending_share = def.bending_share,
+                            .density = def.density,
+                            .keeps_shape = true,
+                            .quasi_static = !def.swings,
+                            .yield_strain = def.yield_strain};
     if (def.stretches) rod.axial_over_bending = 0;
     constexpr double beyond = 1.05;  // tools wait a hundredth below the most
     rod.most_strain = std::max(rod.most_strain, beyond * def.break_force / (def.young_modulus * section(def)));
@@ -36,15 +40,19 @@ static std::vector<Vec3> nodes_on(const std::vector<Vec3>& start, const WorldDef
         left -= length;
     }
     auto nodes = sim::geometry::resample(path, world.thread.links);
-    const int shares = static_cast<int>(std::lround(world.thread.length / world.thread.links / first_link(world)));  // a power of two
+    const int shares =
+        static_cast<int>(std::lround(world.thread.length / world.thread.links / first_link(world)));  // a power of two
     const auto fine = sim::geometry::resample(path, shares * world.thread.links);
-    for (int share = shares / 2; share > 0; share /= 2) nodes.insert(nodes.begin() + 1, fine[static_cast<std::size_t>(share)]);
+    for (int share = shares / 2; share > 0; share /= 2)
+        nodes.insert(nodes.begin() + 1, fine[static_cast<std::size_t>(share)]);
     return nodes;
 }
 
 static sim::thread::Thread make_thread(const WorldDef& world) {
     const ThreadDef& def = world.thread;
-    sim::thread::ThreadDef thread{def.diameter / 2, def.friction, def.friction_tool, def.young_modulus * section(def), def.shortest_link, def.contacts_per_tick};
+    sim::thread::ThreadDef thread{def.diameter / 2,  def.friction,
+                                  def.friction_tool, def.young_modulus * section(def),
+                                  def.shortest_link, def.contacts_per_tick};
     if (def.model == "elastic") thread.elastic = elastic(def);
     std::vector<Vec3> nodes = nodes_on(def.start, world);
     std::vector<int> cuts;
@@ -70,13 +78,19 @@ static double thinnest_wall(const WorldDef& def) {
 }
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
-    : def_(def), thread_(make_thread(def)), vessels_(soft_vessels(def)), wall_contact_({}, thinnest_wall(def)), wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
-      targets_(wall_.tree().triangles()), strength_{def.thread.break_force} {
+    : def_(def),
+      thread_(make_thread(def)),
+      vessels_(soft_vessels(def)),
+      wall_contact_({}, thinnest_wall(def)),
+      wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
+      targets_(wall_.tree().triangles()),
+      strength_{def.thread.break_force} {
     if (!surface.empty()) bench_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
         bench_.set_pose(bench_.add_tool(kind), start[i]);
-        tools_.push_back({def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
+        tools_.push_back(
+            {def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
         tools_.back().grasps.reserve(16);
         tools_.back().walls.reserve(256);  // two walls at each look along the longest jaws
     }
@@ -88,7 +102,8 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     const std::size_t tools = tools_.size();
     if (!def.needle_code.empty()) needles_.push_back({0, def.needle, def.needle, {}, {}});
     const auto pieces = thread_.pieces();
-    for (const SpareDef& spare : def.spares) needles_.push_back({pieces[needles_.size()].first, spare.needle, spare.needle, {}, {}});
+    for (const SpareDef& spare : def.spares)
+        needles_.push_back({pieces[needles_.size()].first, spare.needle, spare.needle, {}, {}});
     measures_.tail_mm.assign(2, 0);
     measures_.path_mm.assign(tools, 0);
     measures_.grasps.assign(tools, 0);
@@ -102,7 +117,9 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     gaps_.reserve(4096);
 }
 
-void World::log(const char* kind, const std::string& what, double value) { events_.push_back({time_s(), kind, what, value}); }
+void World::log(const char* kind, const std::string& what, double value) {
+    events_.push_back({time_s(), kind, what, value});
+}
 
 std::uint64_t World::hash() const {
     std::uint64_t hash = thread_.hash();
@@ -125,11 +142,14 @@ std::uint64_t World::hash() const {
     };
     for (const SoftVessel& vessel : vessels_) {
         for (const Vec3& node : vessel.tissue.nodes()) add_place(node);
-        for (int t = 0; t < vessel.skin.size(); ++t) add_place(wall_.tree()[vessel.first + t].a);  // which may be behind the tissue
-        for (const tissue::Bite& bite : vessel.bites.bites()) add(static_cast<double>(bite.state) + 4 * bite.on_needle + 8 * bite.torn);
+        for (int t = 0; t < vessel.skin.size(); ++t)
+            add_place(wall_.tree()[vessel.first + t].a);  // which may be behind the tissue
+        for (const tissue::Bite& bite : vessel.bites.bites())
+            add(static_cast<double>(bite.state) + 4 * bite.on_needle + 8 * bite.torn);
     }
     for (const Needle& needle : needles_) {
-        for (const Vec3* of_needle : {&needle.now.centre, &needle.now.to_tail, &needle.now.onwards}) add_place(*of_needle);
+        for (const Vec3* of_needle : {&needle.now.centre, &needle.now.to_tail, &needle.now.onwards})
+            add_place(*of_needle);
         for (const Holder* holder : {&needle.holder, &needle.next}) add(holder->tool);
         add(needle.bent);
     }

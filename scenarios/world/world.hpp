@@ -33,22 +33,22 @@ struct Grasp {
 
 /// A point of a wall between a tool's jaws.
 struct WallGrip {
-    int vessel;                  ///< Of World::vessels().
+    int vessel;  ///< Of World::vessels().
     tissue::MaterialPoint at;
-    Vec3 anchor;                 ///< Where the tool draws it, in the tool's frame [m].
+    Vec3 anchor;  ///< Where the tool draws it, in the tool's frame [m].
 };
 
 struct Tool {
     InstrumentDef def;
     instruments::ToolShape shape;
-    ToolInput asked;             ///< Last good input.
-    ToolInput before, now;       ///< Where the simulated tool was and is; behind `asked` when it must wait.
+    ToolInput asked;        ///< Last good input.
+    ToolInput before, now;  ///< Where the simulated tool was and is; behind `asked` when it must wait.
     std::vector<Grasp> grasps;
-    bool closed = false;         ///< Jaws are shut on whatever they hold; with hysteresis.
-    bool stopped = false;        ///< By another tool or a vessel, in this tick.
-    bool slipping = false;       ///< The thread slid between the jaws in the last tick.
+    bool closed = false;    ///< Jaws are shut on whatever they hold; with hysteresis.
+    bool stopped = false;   ///< By another tool or a vessel, in this tick.
+    bool slipping = false;  ///< The thread slid between the jaws in the last tick.
     std::vector<WallGrip> walls = {};
-    bool held_up = false;        ///< Farther behind its hand than a jaw is thick, by what stands in its way; told once.
+    bool held_up = false;  ///< Farther behind its hand than a jaw is thick, by what stands in its way; told once.
 
     /// How far it is behind its hand, a turn taken at its jaws' length [m].
     double lag() const { return instruments::way_between(now.pose, asked.pose, shape.jaw_length); }
@@ -56,14 +56,15 @@ struct Tool {
 
 /// Who holds the needle, and how.
 struct Holder {
-    int tool = -1;   ///< None: -1.
-    Arc seen = {};   ///< The needle in the tool's frame.
+    int tool = -1;     ///< None: -1.
+    Arc seen = {};     ///< The needle in the tool's frame.
     double along = 0;  ///< Where the jaws have it, from its tail [m].
 };
 
-/// Goes where its holder goes and stays where it is let go. `next` has closed on it too, and leads it when the other lets go.
+/// Goes where its holder goes and stays where it is let go. `next` has closed on it too, and leads it when the other
+/// lets go.
 struct Needle {
-    int node;        ///< Of the thread that it is swaged to, its first.
+    int node;  ///< Of the thread that it is swaged to, its first.
     Arc before, now;
     Holder holder, next;
     bool bent = false;  ///< It was pushed harder than its wire bears; it stays as it is here.
@@ -83,8 +84,8 @@ struct Worst {
     int contacts = 0;
 };
 
-/// A scene: a thread or several, their needles, vessels, tools. Everything a tick depends on is in here, so two worlds made of the same
-/// definition and fed the same inputs are the same bit for bit.
+/// A scene: a thread or several, their needles, vessels, tools. Everything a tick depends on is in here, so two worlds
+/// made of the same definition and fed the same inputs are the same bit for bit.
 class World {
   public:
     /// `surface`: the rigid vessels' triangles in the world frame. `start`: where the tools are, one per instrument.
@@ -102,12 +103,14 @@ class World {
     std::span<const sim::geometry::Vec3> thread() const { return thread_.nodes(); }
     const sim::thread::Thread& thread_state() const { return thread_; }
     std::vector<std::vector<Vec3>> curves() const;  ///< Of its pieces.
-    sim::thread::Piece tied_piece() const;  ///< That the knot in measures() is in.
+    sim::thread::Piece tied_piece() const;          ///< That the knot in measures() is in.
     /// Those that give way, in the order of the definition.
     std::span<const SoftVessel> vessels() const { return vessels_; }
     /// One for each thread, or none.
     std::span<const Needle> needles() const { return needles_; }
-    const Needle& needle_in_use() const { return needles_[in_use_]; }  ///< That walls feel: the last that was taken, once no other is in one.
+    const Needle& needle_in_use() const {
+        return needles_[in_use_];
+    }  ///< That walls feel: the last that was taken, once no other is in one.
     const Arc& needle() const { return needle_in_use().now; }
     const Measures& measures() const { return measures_; }
     std::span<const Event> events() const { return events_; }
@@ -118,10 +121,11 @@ class World {
     /// Of everything the next tick depends on.
     std::uint64_t hash() const;
 
-    /// Names the knot as the thread lies now; for the end of a session. Before that, ten times a second, the name of 20 ticks
-    /// ago is in measures().
+    /// Names the knot as the thread lies now; for the end of a session. Before that, ten times a second, the name of 20
+    /// ticks ago is in measures().
     void name_knot_now();
-    /// Where that knot is and how it lies: tails, loop, the vessels it goes round, how far from them. Names many pieces of the thread: for the end of a session.
+    /// Where that knot is and how it lies: tails, loop, the vessels it goes round, how far from them. Names many pieces
+    /// of the thread: for the end of a session.
     void locate_knot();
     /// The knot of each piece, likewise.
     void judge_ties();
@@ -193,7 +197,8 @@ class World {
     Vec3 slide_by_lag(const Tool& tool, const Grasp& grasp) const;
     Vec3 slide_by_stretch(const Tool& tool, const Grasp& grasp) const;
     double most_pull() const;
-    static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last);
+    static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first,
+                            std::size_t last);
     void log(const char* kind, const std::string& what, double value);
 
     WorldDef def_;
@@ -201,20 +206,20 @@ class World {
     std::vector<SoftVessel> vessels_;
     tissue::CapsuleContact tool_contact_{{}};
     tissue::WallContact wall_contact_;
-    MovingWall wall_;                              // of all vessels, the rigid ones first
-    std::vector<Triangle> targets_;                // where it should be
-    std::vector<double> rooms_;                    // scratch,
-    std::vector<sim::thread::SurfaceGap> gaps_;    // and this
-    bool wall_is_new_ = false;                     // its triangles have other numbers than the thread knows
-    double wall_moved_ = 0;                        // since the last tick [m]
+    MovingWall wall_;                            // of all vessels, the rigid ones first
+    std::vector<Triangle> targets_;              // where it should be
+    std::vector<double> rooms_;                  // scratch,
+    std::vector<sim::thread::SurfaceGap> gaps_;  // and this
+    bool wall_is_new_ = false;                   // its triangles have other numbers than the thread knows
+    double wall_moved_ = 0;                      // since the last tick [m]
     instruments::Bench bench_;
     std::vector<Tool> tools_;
     std::vector<Needle> needles_;
-    std::size_t taken_ = 0, in_use_ = 0;           // of them: the last that was, and that walls feel
-    std::vector<int> swages_;                      // links that needles lead, in this tick
-    std::vector<int> held_;                        // nodes; scratch
-    std::vector<Grasp> flat_;                      // scratch
-    std::vector<sim::thread::Hold> holds_;         // of this tick
+    std::size_t taken_ = 0, in_use_ = 0;    // of them: the last that was, and that walls feel
+    std::vector<int> swages_;               // links that needles lead, in this tick
+    std::vector<int> held_;                 // nodes; scratch
+    std::vector<Grasp> flat_;               // scratch
+    std::vector<sim::thread::Hold> holds_;  // of this tick
     std::vector<int> hold_owners_;
     std::vector<sim::thread::MovingCapsule> capsules_;
     std::vector<Event> events_;

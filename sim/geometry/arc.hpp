@@ -3,14 +3,15 @@
 
 namespace sim::geometry {
 
-/// A needle's shape: wire of round section bent to a circle's arc, from its tail, where the thread is, to its tip. World frame.
+/// A needle's shape: wire of round section bent to a circle's arc, from its tail, where the thread is, to its tip.
+/// World frame.
 struct Arc {
-    Vec3 centre = Vec3::Zero();     ///< Of the circle [m].
-    Vec3 to_tail = Vec3::UnitX();   ///< Unit, from there to the tail.
-    Vec3 onwards = Vec3::UnitY();   ///< Unit, across to_tail: the way the wire goes from its tail.
-    double radius = 3.95e-3;        ///< Of the circle, to the middle of the wire [m].
-    double angle = 2.356;           ///< From tail to tip [rad], below a whole turn.
-    double wire = 0.1e-3;           ///< Radius of the section [m].
+    Vec3 centre = Vec3::Zero();    ///< Of the circle [m].
+    Vec3 to_tail = Vec3::UnitX();  ///< Unit, from there to the tail.
+    Vec3 onwards = Vec3::UnitY();  ///< Unit, across to_tail: the way the wire goes from its tail.
+    double radius = 3.95e-3;       ///< Of the circle, to the middle of the wire [m].
+    double angle = 2.356;          ///< From tail to tip [rad], below a whole turn.
+    double wire = 0.1e-3;          ///< Radius of the section [m].
 
     double length() const { return radius * angle; }
     /// The middle of the wire, `along` metres from the tail.

@@ -5,9 +5,13 @@
 // Indices of what is counted in int, as neighbours and differences are, or has three numbers each.
 namespace sim {
 
-constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 /// Where the three numbers of item i begin.
-constexpr std::ptrdiff_t axes(std::size_t i) { return static_cast<std::ptrdiff_t>(3 * i); }
+constexpr std::ptrdiff_t axes(std::size_t i) {
+    return static_cast<std::ptrdiff_t>(3 * i);
+}
 
 }  // namespace sim

@@ -43,9 +43,9 @@ inline ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0
         if (t > 1) return pair(place(ab - ra, aa), 1);
         return pair(s, t);
     }
-    // Near parallel the inside is inaccurate, but the pair it gives is still a real pair of points and only wins if it is
-    // closer than the sides of the square (s, t): an end of one segment against the whole of the other. Candidates are
-    // compared by the quadratic itself, less its constant.
+    // Near parallel the inside is inaccurate, but the pair it gives is still a real pair of points and only wins if it
+    // is closer than the sides of the square (s, t): an end of one segment against the whole of the other. Candidates
+    // are compared by the quadratic itself, less its constant.
     double best_s = 0, best_t = 0, best = 0;
     const auto consider = [&](double s, double t) {
         const double value = s * (s * aa + 2 * ra) + t * (t * bb - 2 * rb) - 2 * s * t * ab;
@@ -66,7 +66,8 @@ inline ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0
 /// A segment that pierces the triangle has distance 0 there. Degenerate triangles count as their edges.
 ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Triangle& triangle);
 
-/// The place of a triangle that is nearest to a point [m]: what closest_points() says of a segment without length, but for rounding.
+/// The place of a triangle that is nearest to a point [m]: what closest_points() says of a segment without length, but
+/// for rounding.
 ///
 /// Errors:     none. Degenerate triangles count as their edges. Cost: no allocation; 13 ns for 129.
 /// Source:     by the regions of corners, edges and face [Ericson2005] 5.1.5.

@@ -4,8 +4,9 @@
 
 namespace sim::geometry {
 
-/// Four numbers that the processor treats as one: of four cells or four contacts, or a vector and a zero. Eigen's arrays of four are
-/// copied in halves, which makes a factorisation 2.5 times as slow (GCC 12), and it fuses products with sums in some places and not in others.
+/// Four numbers that the processor treats as one: of four cells or four contacts, or a vector and a zero. Eigen's
+/// arrays of four are copied in halves, which makes a factorisation 2.5 times as slow (GCC 12), and it fuses products
+/// with sums in some places and not in others.
 struct Lane {
     typedef double Quad __attribute__((vector_size(32)));
     Quad q{};
@@ -49,6 +50,8 @@ struct Lanes {
     friend Lanes operator*(const Lane& a, const Lanes& b) { return {a * b.x, a * b.y, a * b.z}; }
 };
 
-inline Lane dot(const Lanes& a, const Lanes& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Lane dot(const Lanes& a, const Lanes& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 }  // namespace sim::geometry

@@ -50,8 +50,8 @@ double portable_exp(double x) {
 }
 
 Quat portable_slerp(const Quat& from, const Quat& to, double t) {
-    // Halving the arc needs only a sum and a normalisation, so bisect on t. After 26 halvings what is left of the arc is
-    // below 1e-7 rad and linear interpolation differs from slerp by less than its cube: rounding.
+    // Halving the arc needs only a sum and a normalisation, so bisect on t. After 26 halvings what is left of the arc
+    // is below 1e-7 rad and linear interpolation differs from slerp by less than its cube: rounding.
     Eigen::Vector4d low = from.coeffs(), high = to.coeffs();
     if (low.dot(high) < 0) high = -high;
     double low_t = 0, high_t = 1;

@@ -26,7 +26,9 @@ struct Box {
         high = high.cwiseMax(other.high);
     }
     Box grown(double margin) const { return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)}; }
-    bool overlaps(const Box& o) const { return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all(); }
+    bool overlaps(const Box& o) const {
+        return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
+    }
 };
 
 }  // namespace sim::geometry

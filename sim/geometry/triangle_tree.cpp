@@ -10,11 +10,14 @@ namespace sim::geometry {
 
 constexpr int leaf_size = 4;  // Triangles tested one by one rather than split further.
 
-static Box box_of(const Triangle& t) { return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)}; }
+static Box box_of(const Triangle& t) {
+    return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+}
 
 // Median split on the longest axis of the centres' box. Equal keys fall back on the index: one tree per input.
 TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
-    for (const Triangle& t : triangles_) boxes_.push_back(box_of(t)), normals_.push_back((t.b - t.a).cross(t.c - t.a).normalized());
+    for (const Triangle& t : triangles_)
+        boxes_.push_back(box_of(t)), normals_.push_back((t.b - t.a).cross(t.c - t.a).normalized());
     order_.resize(triangles_.size());
     std::iota(order_.begin(), order_.end(), 0);
     if (triangles_.empty()) return;
@@ -59,7 +62,8 @@ void TriangleTree::move(std::span<const Triangle> triangles) {
         Node& node = nodes_[at];
         node.box = {};
         if (node.count == 0) {
-            for (int child : {node.first, node.first + 1}) node.box.include(nodes_[static_cast<std::size_t>(child)].box);
+            for (int child : {node.first, node.first + 1})
+                node.box.include(nodes_[static_cast<std::size_t>(child)].box);
         } else {
             for (int i = node.first; i < node.first + node.count; ++i)
                 node.box.include(boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])]);
@@ -95,7 +99,8 @@ int first_nearer(std::span<const Vec3> path, const TriangleTree& triangles, doub
         near.clear();
         triangles.near(box.grown(distance), near);
         for (const int triangle : near)
-            if (closest_points(path[i], path[i + 1], triangles[triangle]).distance_squared < distance * distance) return static_cast<int>(i);
+            if (closest_points(path[i], path[i + 1], triangles[triangle]).distance_squared < distance * distance)
+                return static_cast<int>(i);
     }
     return -1;
 }

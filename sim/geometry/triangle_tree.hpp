@@ -13,12 +13,12 @@ class TriangleTree {
     /// Any number of triangles, finite corners [m].
     explicit TriangleTree(std::vector<Triangle> triangles);
 
-    /// The same triangles somewhere else; one each. O(n), allocates nothing; the tree stays as it was split, so it finds them slower
-    /// the less they are where they were.
+    /// The same triangles somewhere else; one each. O(n), allocates nothing; the tree stays as it was split, so it
+    /// finds them slower the less they are where they were.
     void move(std::span<const Triangle> triangles);
 
-    /// Appends to `found` the indices of triangles whose box overlaps `box`, in ascending order of tree leaves (the same
-    /// every time). Allocates only if `found` must grow.
+    /// Appends to `found` the indices of triangles whose box overlaps `box`, in ascending order of tree leaves (the
+    /// same every time). Allocates only if `found` must grow.
     void near(const Box& box, std::vector<int>& found) const;
 
     /// What the segment's distance [m] from triangle `i` is at least: that from its plane.

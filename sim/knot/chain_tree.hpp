@@ -36,7 +36,8 @@ class ChainTree {
     bool descend(int n, int low, int size, const geometry::Box& box, int first, const Visit& visit) const {
         if (low + size <= first || low >= count_ || !box.overlaps(node(n))) return true;
         if (size > of_leaf)
-            return descend(2 * n, low, size / 2, box, first, visit) && descend(2 * n + 1, low + size / 2, size / 2, box, first, visit);
+            return descend(2 * n, low, size / 2, box, first, visit) &&
+                   descend(2 * n + 1, low + size / 2, size / 2, box, first, visit);
         for (int i = std::max(low, first); i < std::min(low + size, count_); ++i)
             if (!visit(i)) return false;
         return true;

@@ -62,10 +62,12 @@ bool either_way(const Strands& strands, const std::vector<bool>& closed, const s
     const auto& rope = strands[first];
     if (!ways[first].from_first || !ways[first].from_last) return false;
     const Vec3 head = rope[0] - rope[1], tail = rope[rope.size() - 1] - rope[rope.size() - 2];
-    return ways[first].from_first->dot(*ways[first].from_last) < -0.5 || head.normalized().dot(tail.normalized()) < -0.5;
+    return ways[first].from_first->dot(*ways[first].from_last) < -0.5 ||
+           head.normalized().dot(tail.normalized()) < -0.5;
 }
 
-Polygons close_outside(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote, bool other_way) {
+Polygons close_outside(const Strands& strands, const std::vector<bool>& closed, const std::vector<Ways>& ways, int vote,
+                       bool other_way) {
     Polygons result;
     double radius = outside;
     Vec3 rope_side = Vec3::Zero();
@@ -99,7 +101,8 @@ Polygons reduced(const Strands& strands, const std::vector<bool>& closed, const 
     for (const bool c : closed) pinned.push_back(!c);
     // Whatever may lead an end out is in the way too: a polygon of two vertices, which never loses any.
     const auto lead_out = [&](const Vec3& end, const std::optional<Vec3>& way) {
-        for (int vote = 0; vote < (way ? 1 : votes); ++vote) all.push_back({end, at_radius(end, way.value_or(direction(vote)), outside)});
+        for (int vote = 0; vote < (way ? 1 : votes); ++vote)
+            all.push_back({end, at_radius(end, way.value_or(direction(vote)), outside)});
     };
     for (std::size_t s = 0; s < strands.size(); ++s) {
         if (closed[s]) continue;

@@ -53,7 +53,8 @@ std::vector<std::vector<Vec3>> in_general_position(const std::vector<Component>&
             const Vec3 shift(uniform(counter), uniform(counter + 1), uniform(counter + 2));
             points.push_back(turn * Vec3(scale * (p - centre)) + 1e-9 * shift);
         }
-        while (c.closed && points.size() > 1 && (points.front() - points.back()).norm() <= same_place + 4e-9) points.pop_back();
+        while (c.closed && points.size() > 1 && (points.front() - points.back()).norm() <= same_place + 4e-9)
+            points.pop_back();
     }
     return result;
 }

@@ -6,9 +6,9 @@
 
 namespace sim::knot {
 
-/// The plane graph of a diagram, where asked with one edge (`missing`) left out. Edge (strand s, index i) leads from passage i to i + 1.
-/// Dart 2e walks edge e forwards with its left face on the left hand, dart 2e + 1 backwards with its right face there.
-/// The diagram must outlive it.
+/// The plane graph of a diagram, where asked with one edge (`missing`) left out. Edge (strand s, index i) leads from
+/// passage i to i + 1. Dart 2e walks edge e forwards with its left face on the left hand, dart 2e + 1 backwards with
+/// its right face there. The diagram must outlive it.
 class Faces {
   public:
     explicit Faces(const Diagram& diagram) : Faces(diagram, -1, -1) {}

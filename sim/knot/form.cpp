@@ -24,8 +24,8 @@ std::vector<Chord> chords_of(const std::vector<Vec3>& strand, int step) {
     return chords;
 }
 
-// Crossings that views show on average between two chords: Gauss' integral by the midpoint rule, good where they are far
-// from each other, and no more than one where they are near.
+// Crossings that views show on average between two chords: Gauss' integral by the midpoint rule, good where they are
+// far from each other, and no more than one where they are near.
 double crossings(const Chord& a, const Chord& b) {
     const Vec3 apart = a.middle - b.middle;
     const double volume = std::abs(apart.dot(a.along.cross(b.along))), distance2 = apart.squaredNorm();
@@ -36,9 +36,11 @@ double crossings(const Chord& a, const Chord& b) {
 // Of all pairs of chords but neighbours, between which a bend counts as a crossing.
 class Crossings {
   public:
-    explicit Crossings(const std::vector<Chord>& chords) : count_(static_cast<int>(chords.size())), of_(chords.size() * chords.size()) {
+    explicit Crossings(const std::vector<Chord>& chords)
+        : count_(static_cast<int>(chords.size())), of_(chords.size() * chords.size()) {
         for (int i = 0; i < count_; ++i)
-            for (int j = i + 3; j < count_; ++j) of_[at(i * count_ + j)] = of_[at(j * count_ + i)] = crossings(chords[at(i)], chords[at(j)]);
+            for (int j = i + 3; j < count_; ++j)
+                of_[at(i * count_ + j)] = of_[at(j * count_ + i)] = crossings(chords[at(i)], chords[at(j)]);
     }
 
     // Of this chord with those from `first` to before `last`.
@@ -52,7 +54,8 @@ class Crossings {
     int middle_of_loop() const {
         constexpr double nearly_most = 0.6;  // half of two throws: the way round the loop crosses nothing
         std::vector<double> between{0};
-        for (int cut = 0; cut < count_; ++cut) between.push_back(between.back() + with(cut, cut + 1, count_) - with(cut, 0, cut));
+        for (int cut = 0; cut < count_; ++cut)
+            between.push_back(between.back() + with(cut, cut + 1, count_) - with(cut, 0, cut));
         const auto most = std::max_element(between.begin(), between.end());
         auto first = most, last = most;
         while (first != between.begin() && *(first - 1) >= nearly_most * *most) --first;
@@ -60,8 +63,8 @@ class Crossings {
         return static_cast<int>((first - between.begin()) + (last - between.begin())) / 2;
     }
 
-    // Of the chords from `first` to before `last`, those where all but a twentieth at either end of the crossings with the
-    // chords from `others` to before `others_end` are.
+    // Of the chords from `first` to before `last`, those where all but a twentieth at either end of the crossings with
+    // the chords from `others` to before `others_end` are.
     struct Zone {
         int first, last;
     };
@@ -87,7 +90,8 @@ class Crossings {
 double turning(const std::vector<Vec3>& strand, int first, int last) {
     double total = 0.0;
     for (int i = std::max(1, first); i <= last && i + 1 < static_cast<int>(strand.size()); ++i)
-        total += ((strand[at(i + 1)] - strand[at(i)]).normalized() - (strand[at(i)] - strand[at(i - 1)]).normalized()).norm();
+        total += ((strand[at(i + 1)] - strand[at(i)]).normalized() - (strand[at(i)] - strand[at(i - 1)]).normalized())
+                     .norm();
     return total;
 }
 
@@ -117,7 +121,8 @@ double length(const std::vector<Vec3>& strand, int first, int last) {
 
 double unevenness(const std::vector<Vec3>& strand) {
     const Halves halves = halves_of(strand);
-    const double a = turning(strand, halves.first, halves.loop_first), b = turning(strand, halves.loop_last, halves.last);
+    const double a = turning(strand, halves.first, halves.loop_first),
+                 b = turning(strand, halves.loop_last, halves.last);
     return a + b > 0 ? std::abs(a - b) / (a + b) : 0;
 }
 

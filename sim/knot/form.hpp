@@ -7,17 +7,17 @@ namespace sim::knot {
 
 using geometry::Vec3;
 
-/// How unevenly the two strands of a knot bend: |a - b| / (a + b) of what each turns where they cross each other, 0 (a knot
-/// that lies flat) to 1 (one strand straight, the other hitched round it).
+/// How unevenly the two strands of a knot bend: |a - b| / (a + b) of what each turns where they cross each other, 0 (a
+/// knot that lies flat) to 1 (one strand straight, the other hitched round it).
 ///
-/// Crossings are counted without a view, as all views show them on average (the Gauss integral with its sign left out). The
-/// strand is cut in two in the middle of its loop, where the halves cross each other most, and they cross where the middle
-/// nine tenths of that are. Neither size nor attitude matters. Cost: 64 chords with each other, 30 us.
+/// Crossings are counted without a view, as all views show them on average (the Gauss integral with its sign left out).
+/// The strand is cut in two in the middle of its loop, where the halves cross each other most, and they cross where the
+/// middle nine tenths of that are. Neither size nor attitude matters. Cost: 64 chords with each other, 30 us.
 double unevenness(const std::vector<Vec3>& strand);
 
-/// Where the knot of a strand is, in lengths along the strand from its first end: one strand of the knot from `first` to
-/// `loop_first`, the loop, the other strand from `loop_last` to `last`. Found as for unevenness, to a sixtieth of knot and
-/// loop; it means little where there is no knot.
+/// Where the knot of a strand is, in lengths along the strand from its first end: one strand of the knot from `first`
+/// to `loop_first`, the loop, the other strand from `loop_last` to `last`. Found as for unevenness, to a sixtieth of
+/// knot and loop; it means little where there is no knot.
 struct Extent {
     double first, loop_first, loop_last, last;
 

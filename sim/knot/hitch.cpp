@@ -15,8 +15,8 @@ namespace {
 
 using Strand = std::vector<Vec3>;
 
-// A knot that comes of joining the rope's ends to the pole's, or that mirrored, and the type with the rope's ends joined to each
-// other. A turn gives the unknot as well, joined the other way; what holds by itself does not.
+// A knot that comes of joining the rope's ends to the pole's, or that mirrored, and the type with the rope's ends
+// joined to each other. A turn gives the unknot as well, joined the other way; what holds by itself does not.
 struct Hitch {
     const char *name, *crosswise, *crosswise_mirrored, *link, *link_mirrored;
     bool turns = false;
@@ -67,7 +67,8 @@ std::vector<Crossing> crossings(const Strand& strand, bool closed, double radius
         const double discriminant = half_b * half_b - square * c;
         if (discriminant <= 0) continue;
         for (const double sign : {-1.0, 1.0})
-            if (const double t = (-half_b + sign * std::sqrt(discriminant)) / square; t >= 0 && t < 1) found.push_back({i, t});
+            if (const double t = (-half_b + sign * std::sqrt(discriminant)) / square; t >= 0 && t < 1)
+                found.push_back({i, t});
     }
     return found;
 }
@@ -77,7 +78,9 @@ std::optional<Strand> piece_within(const Strand& strand, bool closed, double rad
     const auto cuts = crossings(strand, closed, radius);
     if (cuts.size() != 2) return std::nullopt;
     const std::size_t n = strand.size();
-    const auto point = [&](const Crossing& c) -> Vec3 { return strand[c.edge] + c.share * (strand[(c.edge + 1) % n] - strand[c.edge]); };
+    const auto point = [&](const Crossing& c) -> Vec3 {
+        return strand[c.edge] + c.share * (strand[(c.edge + 1) % n] - strand[c.edge]);
+    };
     const bool starts_outside = strand.front().norm() > radius;
     const Crossing &in = cuts[starts_outside ? 0 : 1], &out = cuts[starts_outside ? 1 : 0];
     if (!starts_outside && !closed) return std::nullopt;
@@ -105,7 +108,8 @@ std::optional<Ball> ball_about(const Strand& rope, const Strand& pole, bool pole
     return std::nullopt;
 }
 
-// The rope's ends joined to the pole's, last to first, on spheres around the ball; the arc of larger radius lies over the other.
+// The rope's ends joined to the pole's, last to first, on spheres around the ball; the arc of larger radius lies over
+// the other.
 Strand crosswise(const Strand& rope, const Strand& pole, double inner, double outer) {
     Strand polygon = rope;
     const auto join = [&](const Vec3& from, const Vec3& to, double radius) {
@@ -132,21 +136,24 @@ std::vector<Polygons> crosswise(const Ball& ball) {
 
 using Types = std::vector<std::string>;
 
-bool has(const Types& types, const char* type) { return std::find(types.begin(), types.end(), type) != types.end(); }
+bool has(const Types& types, const char* type) {
+    return std::find(types.begin(), types.end(), type) != types.end();
+}
 
-// Round an open pole the type with the rope's ends joined hangs on the side on which they are, so it says nothing against a
-// hitch; a turn is nothing else.
+// Round an open pole the type with the rope's ends joined hangs on the side on which they are, so it says nothing
+// against a hitch; a turn is nothing else.
 std::string shown_by(const Types& types, const std::string& link, bool pole_closed) {
     for (const Hitch& h : hitches) {
-        const bool shown = (has(types, h.crosswise) || has(types, h.crosswise_mirrored)) && (!h.turns || has(types, "0_1"));
+        const bool shown =
+            (has(types, h.crosswise) || has(types, h.crosswise_mirrored)) && (!h.turns || has(types, "0_1"));
         const bool linked = link == h.link || link == h.link_mirrored || (!h.turns && !pole_closed);
         if (shown && linked) return h.name;
     }
     return "";
 }
 
-// What takes many views to become small is looked at last: the other way round may be too large for any, of 14 crossings for a
-// prusik of three wraps.
+// What takes many views to become small is looked at last: the other way round may be too large for any, of 14
+// crossings for a prusik of three wraps.
 std::string shown_by(const std::vector<Polygons>& knots, const std::string& link, bool pole_closed) {
     Types types;
     for (const int views : {1, most_views}) {
@@ -162,7 +169,8 @@ std::string shown_by(const std::vector<Polygons>& knots, const std::string& link
 
 }  // namespace
 
-std::string hitch(const Name& link, const Polygons& rope_and_pole, const std::vector<bool>& closed, const std::vector<Ways>& ways) {
+std::string hitch(const Name& link, const Polygons& rope_and_pole, const std::vector<bool>& closed,
+                  const std::vector<Ways>& ways) {
     Strand rope = led_out(rope_and_pole[0], closed[0], ways[0]), pole = led_out(rope_and_pole[1], closed[1], ways[1]);
     const Vec3 centre = nearest_on_pole(rope, pole, closed[1]);
     for (Strand* strand : {&rope, &pole})

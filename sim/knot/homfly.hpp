@@ -6,8 +6,8 @@
 
 namespace sim::knot {
 
-/// What a name may cost: some tens of milliseconds in all. Measured: a diagram visited in the skein costs by the square of
-/// its crossings, one that is simplified a hundredth of their cube.
+/// What a name may cost: some tens of milliseconds in all. Measured: a diagram visited in the skein costs by the square
+/// of its crossings, one that is simplified a hundredth of their cube.
 struct Work {
     double left = 200000;
     void spend_on_skein(const Diagram& diagram) { left -= 1.0 * diagram.crossings() * diagram.crossings(); }

@@ -16,7 +16,8 @@ namespace {
 // is also certain up to 24 crossings: no other knot of that size has its Jones polynomial (Tuzun and Sikora 2021).
 constexpr int certain_crossings = 10, certain_unknot_crossings = 24;
 
-// Beyond this a diagram is not taken further. Of a tangle of so many at first sight no other view has ever brought it to a name.
+// Beyond this a diagram is not taken further. Of a tangle of so many at first sight no other view has ever brought it
+// to a name.
 constexpr int hopeless_crossings = 100, tangled_crossings = 300;
 
 // Diagrams that are nearly small enough after a few views are loosened, which takes away few crossings.
@@ -118,10 +119,13 @@ Seen best_view(Polygons polygons, Work& work, int views) {
         simplify(*diagram);
         if (!best.found || diagram->crossings() < best.diagram.crossings()) best.diagram = std::move(*diagram);
         best.found = true;
-        const bool hopeless = best.diagram.crossings() > hopeless_crossings && (i >= few_views || best.projected > tangled_crossings);
+        const bool hopeless =
+            best.diagram.crossings() > hopeless_crossings && (i >= few_views || best.projected > tangled_crossings);
         if (hopeless || small_enough(best.diagram)) break;
         if (i < few_views || std::exchange(loosened, true)) continue;
-        while (best.diagram.crossings() <= stubborn_crossings && !small_enough(best.diagram) && loosen(best.diagram, work)) {}
+        while (best.diagram.crossings() <= stubborn_crossings && !small_enough(best.diagram) &&
+               loosen(best.diagram, work)) {
+        }
         if (small_enough(best.diagram)) break;
     }
     return best;

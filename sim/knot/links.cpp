@@ -191,11 +191,14 @@ LinkName name_link(const std::vector<Component>& components) {
         if (std::find(candidates.begin(), candidates.end(), other.name.knot) == candidates.end())
             candidates.push_back(other.name.knot);
     }
-    if (free && either_way(strands, closed, ways)) candidates.push_back(named_closing(close_outside(few, closed, ways, 0, true), work).link.name.knot);
+    if (free && either_way(strands, closed, ways))
+        candidates.push_back(named_closing(close_outside(few, closed, ways, 0, true), work).link.name.knot);
     if (std::count(candidates.begin(), candidates.end(), name.knot) < static_cast<std::ptrdiff_t>(candidates.size()))
         name.certain = false, name.candidates = candidates;
     if (components.front().closed || !closing.first.known) return closing.link;
-    if (closing.first.factors.empty()) name.surgical = components.size() == 2 ? hitch(name, strands, closed, ways) : first_hitch(components[0], std::span(components).subspan(1)).hitch;
+    if (closing.first.factors.empty())
+        name.surgical = components.size() == 2 ? hitch(name, strands, closed, ways)
+                                               : first_hitch(components[0], std::span(components).subspan(1)).hitch;
     if (name.surgical.empty()) read_surgical(strands.front(), few.front(), closing.first, work, name);
     return closing.link;
 }

@@ -4,8 +4,8 @@
 
 namespace sim::knot {
 
-/// Lays stretches elsewhere with as many crossings as before, breadth first, until simplify() takes crossings away; false when
-/// none of the first 60 diagrams reached does. For what simplify() leaves.
+/// Lays stretches elsewhere with as many crossings as before, breadth first, until simplify() takes crossings away;
+/// false when none of the first 60 diagrams reached does. For what simplify() leaves.
 bool loosen(Diagram& diagram, Work& work);
 
 }  // namespace sim::knot

@@ -57,7 +57,8 @@ Name name_knot(const std::vector<Vec3>& curve, bool closed) {
     const bool free = all_free(ways, {closed});
     const Polygons few = reduced(strands, {closed}, ways, free ? 1 : most_votes);
     Work work;
-    Name name = free ? named(best_view(close_outside(few, {closed}, ways, 0), work), work) : voted(few, {closed}, ways, work);
+    Name name =
+        free ? named(best_view(close_outside(few, {closed}, ways, 0), work), work) : voted(few, {closed}, ways, work);
     if (closed || name.knot == "unknown") return name;
     Identity whole;
     whole.factors = name.factors, whole.certain = name.certain;

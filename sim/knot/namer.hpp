@@ -34,7 +34,7 @@ struct Name {
     std::string half_hitches;             ///< Trimbos: "S=S", "SxS", of a stack that is not flat.
     const std::string& called() const { return surgical.empty() ? knot : surgical; }
 
-    std::vector<Throw> throw_list;        ///< `throws` with the hand of each, from the loop outwards.
+    std::vector<Throw> throw_list;  ///< `throws` with the hand of each, from the loop outwards.
 };
 
 /// Places no further apart than this, in sizes of the curve, are one: strands must stay further apart.
@@ -62,8 +62,8 @@ struct LinkName {
 Name name_knot(const std::vector<Vec3>& curve, bool closed = false);
 
 /// Names several components together, direction and order of components not counting. Open ones are closed outside the
-/// hull of all of them. Surgical names are of the first component: of its own knot, or if it has none and there is one other,
-/// of how it is hitched round that.
+/// hull of all of them. Surgical names are of the first component: of its own knot, or if it has none and there is one
+/// other, of how it is hitched round that.
 LinkName name_link(const std::vector<Component>& components);
 
 /// A thread in a scene: its own knot, or when it has none, the hitch it makes round one of the objects.
@@ -72,8 +72,8 @@ struct Tied {
     int round = -1;  ///< The object it is hitched to.
 };
 
-/// `objects`: each a core line that goes on beyond the thread at either end. A turn round one is no hitch: nothing holds it. Cost: that of
-/// name_knot, and of a thread without a knot that of name_link and four names for each object.
+/// `objects`: each a core line that goes on beyond the thread at either end. A turn round one is no hitch: nothing
+/// holds it. Cost: that of name_knot, and of a thread without a knot that of name_link and four names for each object.
 Tied name_among(const std::vector<Vec3>& thread, const std::vector<std::vector<Vec3>>& objects);
 
 /// Two edges that meet, so that the curve has no type: first edge (component, index of its first vertex) and second.

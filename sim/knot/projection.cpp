@@ -34,7 +34,9 @@ Area area(const Vec3& a, const Vec3& b, const Vec3& c) {
     return {left - right, 1e-14 * (std::abs(left) + std::abs(right))};
 }
 
-bool same_side(const Area& a, const Area& b) { return a.is_sure() && b.is_sure() && (a.value > 0) == (b.value > 0); }
+bool same_side(const Area& a, const Area& b) {
+    return a.is_sure() && b.is_sure() && (a.value > 0) == (b.value > 0);
+}
 
 std::vector<Edge> edges_seen(const Polygons& polygons, const Vec3& view) {
     const Vec3 right = view.unitOrthogonal(), up = view.cross(right);

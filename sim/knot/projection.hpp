@@ -7,8 +7,8 @@
 namespace sim::knot {
 
 /// The diagram seen along `view`. Nothing when that direction is not generic (a crossing at a vertex, three strands
-/// over one point, ...): take another. With more than `most` crossings it is not complete. Cost: sorted by x, then every pair of edges
-/// that overlap in x.
+/// over one point, ...): take another. With more than `most` crossings it is not complete. Cost: sorted by x, then
+/// every pair of edges that overlap in x.
 std::optional<Diagram> project(const Polygons& polygons, const Vec3& view, int most);
 
 /// An open strand seen along `view`, without any closing edge: not the diagram of a knot yet, see joined_ends().

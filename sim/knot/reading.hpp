@@ -7,8 +7,8 @@
 
 namespace sim::knot {
 
-/// Type of the passages first .. first + count - 1 of an open one-strand diagram; nothing when it depends on whether the ends
-/// are joined above or below. `only_if_knotted`: what is no knot joined above is not looked at below.
+/// Type of the passages first .. first + count - 1 of an open one-strand diagram; nothing when it depends on whether
+/// the ends are joined above or below. `only_if_knotted`: what is no knot joined above is not looked at below.
 std::optional<Identity> type_of_stretch(const Diagram& open, int first, int count, bool only_if_knotted, Work& work);
 
 /// An open strand seen from one side; types of its stretches.
@@ -36,6 +36,8 @@ std::vector<Reading> views_of(const std::vector<Vec3>& strand, Work& work);
 /// Those of the views in which the whole strand has its true type, as many as are wanted.
 std::vector<Reading> good_ones(std::vector<Reading> views, const Identity& whole, std::size_t wanted);
 
-inline bool knotted(const std::optional<Identity>& type) { return type && !type->factors.empty(); }
+inline bool knotted(const std::optional<Identity>& type) {
+    return type && !type->factors.empty();
+}
 
 }  // namespace sim::knot

@@ -14,8 +14,8 @@ using geometry::Box;
 
 constexpr double plain = 1e-7;  // of the curve's size: a hundred times what in_general_position displaces
 
-// Sign of the volume of a, b, c, d: +-2 when it is plain, +-1 when a ten-millionth would change it, 0 when rounding could have
-// (bound after Shewchuk 1997, made simpler).
+// Sign of the volume of a, b, c, d: +-2 when it is plain, +-1 when a ten-millionth would change it, 0 when rounding
+// could have (bound after Shewchuk 1997, made simpler).
 int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 u = b - a, v = c - a, w = d - a;
     const double volume = u.dot(v.cross(w));
@@ -26,7 +26,8 @@ int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return volume > 0 ? sure : -sure;
 }
 
-// How an edge a-b passes the triangle p, q, r: 2 it certainly misses it, by far; 1 it misses it, perhaps closely; 0 in doubt.
+// How an edge a-b passes the triangle p, q, r: 2 it certainly misses it, by far; 1 it misses it, perhaps closely; 0 in
+// doubt.
 int misses(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& a, const Vec3& b) {
     const int sa = side(p, q, r, a), sb = side(p, q, r, b);
     if (sa * sb > 0) return std::min(std::abs(sa), std::abs(sb));
@@ -99,9 +100,10 @@ class Sweep {
         return ChainTree(boxes);
     }
 
-    // No edge but those at its corners meets the triangle. An edge that starts at a corner leaves its plane there. What was
-    // in the way last time most often still is. Nor does one come so near the edge that is to be that views could not tell
-    // which is over which: in drawings on a grid many would lie upon each other but for the 1e-9 of in_general_position.
+    // No edge but those at its corners meets the triangle. An edge that starts at a corner leaves its plane there. What
+    // was in the way last time most often still is. Nor does one come so near the edge that is to be that views could
+    // not tell which is over which: in drawings on a grid many would lie upon each other but for the 1e-9 of
+    // in_general_position.
     bool empty(int before, int i, int after, long& budget) {
         const Vec3 &p = points_[at(before)], &q = points_[at(i)], &r = points_[at(after)];
         Box box = box_of(p, r);
@@ -115,7 +117,8 @@ class Sweep {
             const Vec3 &a = points_[at(edge)], &b = points_[at(end)];
             if (!box_of(a, b).overlaps(box)) return true;
             const int missed = misses(p, q, r, a, b);
-            return missed == 2 || (missed == 1 && geometry::closest_points(p, r, a, b).distance_squared > plain * plain);
+            return missed == 2 ||
+                   (missed == 1 && geometry::closest_points(p, r, a, b).distance_squared > plain * plain);
         };
         int& blocker = blocker_[at(i)];
         if (blocker >= 0 && !lets_pass(blocker)) return false;

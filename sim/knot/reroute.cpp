@@ -23,11 +23,12 @@ std::vector<int> distances(const Faces& faces, const std::vector<std::vector<int
     return away;
 }
 
-// The edges to cross on a way from the start of the missing edge to its end, in order, as the darts whose face is left behind.
+// The edges to cross on a way from the start of the missing edge to its end, in order, as the darts whose face is left
+// behind.
 using Way = std::vector<int>;
 
-// The shortest ways, the first `most` of them. Where the graph has come apart no edge is in the way: the parts can be laid
-// side by side.
+// The shortest ways, the first `most` of them. Where the graph has come apart no edge is in the way: the parts can be
+// laid side by side.
 std::vector<Way> shortest_ways(const Faces& faces, std::size_t most) {
     std::vector<std::vector<int>> darts_of(at(faces.count()));
     for (int dart = 0; dart < 2 * faces.edges(); ++dart)
@@ -55,7 +56,9 @@ std::vector<Way> shortest_ways(const Faces& faces, std::size_t most) {
     return ways;
 }
 
-Way shortest_way(const Faces& faces) { return shortest_ways(faces, 1).front(); }
+Way shortest_way(const Faces& faces) {
+    return shortest_ways(faces, 1).front();
+}
 
 struct Stretch {
     int strand, first, length;
@@ -103,7 +106,8 @@ Diagram lay(const Lifted& lifted, const Faces& faces, const Way& way, bool over)
     return result;
 }
 
-// How few edges a stretch could cross, laid anew, found on the diagram that it still lies on: its own edges cost nothing.
+// How few edges a stretch could cross, laid anew, found on the diagram that it still lies on: its own edges cost
+// nothing.
 class Shortcuts {
   public:
     explicit Shortcuts(const Diagram& diagram) : diagram_(diagram), faces_(diagram), first_(at(faces_.count() + 1), 0) {
@@ -129,7 +133,8 @@ class Shortcuts {
         bool found = false;
         for (int crossed = 0; crossed < stretch.length && !found && !here_.empty(); ++crossed) {
             spread();
-            found = seen_[at(faces_.face_of_dart(2 * edge(stretch.length)))] || seen_[at(faces_.face_of_dart(2 * edge(stretch.length) + 1))];
+            found = seen_[at(faces_.face_of_dart(2 * edge(stretch.length)))] ||
+                    seen_[at(faces_.face_of_dart(2 * edge(stretch.length) + 1))];
             std::swap(here_, beyond_);
             std::erase_if(here_, [&](int face) { return seen_[at(face)]; });
             for (const int face : here_) seen_[at(face)] = 1;
@@ -190,7 +195,8 @@ std::vector<Stretch> longest_stretches(const Diagram& diagram) {
             const bool over = word[at(first)].over;
             int length = 1;
             while (length < n && word[at(first + length) % word.size()].over == over) ++length;
-            if (word[at(first + n - 1) % word.size()].over != over || length == n) all.push_back({static_cast<int>(s), first, length, over});
+            if (word[at(first + n - 1) % word.size()].over != over || length == n)
+                all.push_back({static_cast<int>(s), first, length, over});
             if (length == n) break;
         }
     }

@@ -9,8 +9,8 @@ namespace sim::knot {
 /// Cost: O(n^2) for n crossings.
 bool shorten_one_stretch(Diagram& diagram);
 
-/// The diagrams after one such stretch is laid another way with as few crossings, up to six ways of each; that it came from may
-/// be among them.
+/// The diagrams after one such stretch is laid another way with as few crossings, up to six ways of each; that it came
+/// from may be among them.
 std::vector<Diagram> laid_elsewhere(const Diagram& diagram);
 
 /// The knot of the passages first .. first + count - 1 of an open one-strand diagram, its ends joined the shortest way

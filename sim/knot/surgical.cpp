@@ -9,8 +9,8 @@ namespace sim::knot {
 
 namespace {
 
-// Flat throws bend both strands alike; a capsized knot has one straight strand that the other is hitched round. Model and
-// simulated knots (docs/knots.md): flat at most 0.19, capsized at least 0.34.
+// Flat throws bend both strands alike; a capsized knot has one straight strand that the other is hitched round. Model
+// and simulated knots (docs/knots.md): flat at most 0.19, capsized at least 0.34.
 constexpr double least_uneven = 0.25;
 
 bool has_knotted_stretch(const Reading& reading) {
@@ -31,8 +31,8 @@ bool slips(const std::vector<Vec3>& strand, const Identity& whole, Work& work) {
     return std::count_if(good.begin(), good.end(), has_knotted_stretch) >= 2;
 }
 
-// A bowline is of one of three types, by where its end leaves the eye. Its eye takes 0.45 to 0.48 of knot and eye together
-// in model curves; knots of these types without an eye have a loop of 0.21 at most (docs/knots.md).
+// A bowline is of one of three types, by where its end leaves the eye. Its eye takes 0.45 to 0.48 of knot and eye
+// together in model curves; knots of these types without an eye have a loop of 0.21 at most (docs/knots.md).
 bool is_bowline(const std::vector<Vec3>& strand, const Factor& factor) {
     constexpr double least_eye = 0.33;
     if (factor.name != "6_2" && factor.name != "6_3" && factor.name != "8_20") return false;
@@ -67,7 +67,8 @@ void read_surgical(const std::vector<Vec3>& strand, const std::vector<Vec3>& few
     }
     if (throws.size() > 1) {
         auto ordered = in_order(throws, views_of(few, work), whole);
-        // Strands that were straightened may lie so that the order cannot be told, in two of a hundred attitudes; from the other end they come to lie otherwise.
+        // Strands that were straightened may lie so that the order cannot be told, in two of a hundred attitudes; from
+        // the other end they come to lie otherwise.
         Work more;
         if (!ordered) ordered = in_order(throws, views_of(straightened_from_its_end(strand), more), whole);
         if (!ordered) return;

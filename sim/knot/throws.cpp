@@ -130,17 +130,23 @@ std::optional<std::vector<Throw>> throws_within_each_other(const Reading& readin
             throws.push_back(*found);
         }
         open = without_stretch(open, stretch);
-        if (!type->factors.empty()) innermost = stretch.first;
-        else if (innermost > stretch.first) innermost -= stretch.holds(innermost) ? innermost - stretch.first : stretch.count;
+        if (!type->factors.empty())
+            innermost = stretch.first;
+        else if (innermost > stretch.first)
+            innermost -= stretch.holds(innermost) ? innermost - stretch.first : stretch.count;
     }
     return throws;
 }
 
 bool are_the_same(std::vector<Throw> a, std::vector<Throw> b) {
-    const auto before = [](const Throw& s, const Throw& t) { return std::pair(s.turns, s.right_handed) < std::pair(t.turns, t.right_handed); };
+    const auto before = [](const Throw& s, const Throw& t) {
+        return std::pair(s.turns, s.right_handed) < std::pair(t.turns, t.right_handed);
+    };
     std::sort(a.begin(), a.end(), before);
     std::sort(b.begin(), b.end(), before);
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Throw& s, const Throw& t) { return s.turns == t.turns && s.right_handed == t.right_handed; });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Throw& s, const Throw& t) {
+        return s.turns == t.turns && s.right_handed == t.right_handed;
+    });
 }
 
 }  // namespace
@@ -152,7 +158,8 @@ std::vector<Throw> throws_of(const std::vector<Factor>& factors) {
     return throws;
 }
 
-std::optional<std::vector<Throw>> in_order(const std::vector<Throw>& throws, std::vector<Reading> views, const Identity& whole) {
+std::optional<std::vector<Throw>> in_order(const std::vector<Throw>& throws, std::vector<Reading> views,
+                                           const Identity& whole) {
     for (const Reading& view : views)
         if (auto plain = throws_within_each_other(view); plain && are_the_same(*plain, throws)) return plain;
     const std::size_t all = views.size();
@@ -175,7 +182,8 @@ std::string notation(const std::vector<Throw>& throws) {
 
 std::string half_hitches(const std::vector<Throw>& throws) {
     std::string text = "S";
-    for (std::size_t i = 1; i < throws.size(); ++i) text += throws[i].right_handed == throws[i - 1].right_handed ? "=S" : "xS";
+    for (std::size_t i = 1; i < throws.size(); ++i)
+        text += throws[i].right_handed == throws[i - 1].right_handed ? "=S" : "xS";
     return text;
 }
 

@@ -9,20 +9,29 @@
 namespace sim::thread {
 
 // How far a tool or a wall may be in a link; the rest is for turns.
-static double deepest(const State& state) { return 0.8 * steel_limit * 2 * state.def.radius; }
+static double deepest(const State& state) {
+    return 0.8 * steel_limit * 2 * state.def.radius;
+}
 
-static double depth_of(const Row& row) { return row.thickness - row.distance; }
-static double room_in(const State& state, const Row& row) { return std::max(0.0, deepest(state) - depth_of(row)); }
+static double depth_of(const Row& row) {
+    return row.thickness - row.distance;
+}
+static double room_in(const State& state, const Row& row) {
+    return std::max(0.0, deepest(state) - depth_of(row));
+}
 
 // A tool presses on a link, which while it hardly is in it answers within the step.
 static double share_of_tool(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const Vec3 way = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
-    const double into = way.dot(row.normal), room = depth_of(row) < 0.6 * deepest(state) ? deepest(state) : room_in(state, row);
+    const double into = way.dot(row.normal),
+                 room = depth_of(row) < 0.6 * deepest(state) ? deepest(state) : room_in(state, row);
     return into > room ? room / into : 1;
 }
 
-static bool is_at_wall(const Row& row, int node) { return row.against == Against::surface && (row.link == node || row.link + 1 == node); }
+static bool is_at_wall(const Row& row, int node) {
+    return row.against == Against::surface && (row.link == node || row.link + 1 == node);
+}
 
 // Of each node, what is free between its links and the nearest wall at least.
 static void find_room_at_walls(State& state) {
@@ -30,17 +39,22 @@ static void find_room_at_walls(State& state) {
     for (const Contact& c : state.contacts) {
         if (c.against != Against::surface) continue;
         const double room = c.measured - 2 * (state.moved - c.measured_at) - c.thickness;
-        for (const int node : {c.link, c.link + 1}) state.room_at_walls[at(node)] = std::min(state.room_at_walls[at(node)], room);
+        for (const int node : {c.link, c.link + 1})
+            state.room_at_walls[at(node)] = std::min(state.room_at_walls[at(node)], room);
     }
 }
 
-static double share_of_node(const Row& row, int node) { return row.link == node ? 1 - row.s : row.s; }
-
-static bool is_in_jaws(const State& state, std::size_t hold) {
-    return std::any_of(state.input.capsules.begin(), state.input.capsules.end(), [&](const MovingCapsule& c) { return c.owner == state.input.hold_owners[hold]; });
+static double share_of_node(const Row& row, int node) {
+    return row.link == node ? 1 - row.s : row.s;
 }
 
-// Neither a held node nor a wall gives way: what of its motion it may make before it touches one, and in jaws, of which it must not come out, when it does.
+static bool is_in_jaws(const State& state, std::size_t hold) {
+    return std::any_of(state.input.capsules.begin(), state.input.capsules.end(),
+                       [&](const MovingCapsule& c) { return c.owner == state.input.hold_owners[hold]; });
+}
+
+// Neither a held node nor a wall gives way: what of its motion it may make before it touches one, and in jaws, of which
+// it must not come out, when it does.
 static double share_at_walls(const State& state, std::size_t hold) {
     const int node = state.input.holds[hold].node;
     const Vec3 way = state.input.holds[hold].target - state.hold_from[hold];
@@ -53,11 +67,14 @@ static double share_at_walls(const State& state, std::size_t hold) {
     return share;
 }
 
-// Whether a row is of what is held, and with what leads it aside: a tool that does not hold it, or, if no jaws do, a wall.
+// Whether a row is of what is held, and with what leads it aside: a tool that does not hold it, or, if no jaws do, a
+// wall.
 static bool leads_aside(const State& state, const Row& row, std::size_t hold) {
     const int node = state.input.holds[hold].node;
-    if ((row.link != node && row.link + 1 != node) || share_of_node(row, node) < 0.5) return false;  // one that touches nearer to its other end turns
-    if (row.against == Against::capsule) return state.input.capsules[at(row.other)].owner != state.input.hold_owners[hold];
+    if ((row.link != node && row.link + 1 != node) || share_of_node(row, node) < 0.5)
+        return false;  // one that touches nearer to its other end turns
+    if (row.against == Against::capsule)
+        return state.input.capsules[at(row.other)].owner != state.input.hold_owners[hold];
     return row.against == Against::surface && !is_in_jaws(state, hold);
 }
 
@@ -70,9 +87,11 @@ void slide(State& state) {
             for (std::size_t h = 0; row.against != Against::thread && h < state.targets.size(); ++h) {
                 if (!leads_aside(state, row, h)) continue;
                 const Hold& hold = state.targets[h];
-                const double into = (state.nodes[at(hold.node)] - hold.target).dot(row.normal), room = room_in(state, row);
+                const double into = (state.nodes[at(hold.node)] - hold.target).dot(row.normal),
+                             room = room_in(state, row);
                 for (std::size_t k = 0; into > room && k < owners.size(); ++k)
-                    if (k == h || (owners[h] >= 0 && owners[k] == owners[h])) state.targets[k].target += (into - room) * row.normal;
+                    if (k == h || (owners[h] >= 0 && owners[k] == owners[h]))
+                        state.targets[k].target += (into - room) * row.normal;
             }
 }
 
@@ -80,7 +99,9 @@ void slide(State& state) {
 static bool goes_along(const State& state, const Row& row) {
     const auto& holds = state.input.holds;
     for (std::size_t h = 0; h < holds.size(); ++h)
-        if (state.input.hold_owners[h] == state.input.capsules[at(row.other)].owner && (holds[h].node == row.link || holds[h].node == row.link + 1)) return true;
+        if (state.input.hold_owners[h] == state.input.capsules[at(row.other)].owner &&
+            (holds[h].node == row.link || holds[h].node == row.link + 1))
+            return true;
     return false;
 }
 
@@ -95,7 +116,8 @@ double share_of_tools(State& state, double left, const Motion& motion) {
 
 double careful_share(const State& state, double left, double share) {
     for (const Row& row : state.rows)
-        if (row.against == Against::capsule && !goes_along(state, row)) share = std::min(share, share_of_tool(state, row) / left);
+        if (row.against == Against::capsule && !goes_along(state, row))
+            share = std::min(share, share_of_tool(state, row) / left);
     return share;
 }
 
@@ -112,7 +134,8 @@ bool is_deep(const State& state) {
         if (c.against != Against::capsule || c.gap - c.thickness > closing(state)) return false;
         const Capsule& tool = state.capsules[at(c.other)];
         const double least = c.thickness - deepest(state);
-        return geometry::closest_points(then(c.link), then(c.link + 1), tool.a, tool.b).distance_squared < least * least;
+        return geometry::closest_points(then(c.link), then(c.link + 1), tool.a, tool.b).distance_squared <
+               least * least;
     });
 }
 

@@ -70,7 +70,9 @@ int crossings(const Moving& p, const Moving& q) {
 }
 
 // Cheap and certain: what starts farther apart than both can move along any axis cannot meet.
-bool apart(const Box& a, const Box& b) { return !a.overlaps(b); }
+bool apart(const Box& a, const Box& b) {
+    return !a.overlaps(b);
+}
 
 Box box_of(const geometry::Triangle& tri) {
     Box box;
@@ -119,7 +121,8 @@ int audit(const State& state) {
             for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
                 const Box& swept = swept_by[static_cast<std::size_t>(i)];
                 for (int j = std::max(i + 2, q * block); j < std::min(n, (q + 1) * block); ++j)
-                    if (!(sleeps(state, i) && sleeps(state, j)) && !apart(swept, swept_by[static_cast<std::size_t>(j)])) met += crossings(link(i), link(j));
+                    if (!(sleeps(state, i) && sleeps(state, j)) && !apart(swept, swept_by[static_cast<std::size_t>(j)]))
+                        met += crossings(link(i), link(j));
             }
         }
     for (std::size_t c = 0; c < state.capsules.size(); ++c) {

@@ -4,8 +4,9 @@
 
 namespace sim::thread {
 
-/// A square matrix that is zero in each row but for a stretch of columns about the diagonal; neither end of it ever moves left from
-/// row to row. Solved directly and without pivots, in time that grows with the rows times the square of their widths.
+/// A square matrix that is zero in each row but for a stretch of columns about the diagonal; neither end of it ever
+/// moves left from row to row. Solved directly and without pivots, in time that grows with the rows times the square of
+/// their widths.
 class Band {
   public:
     void clear();
@@ -15,7 +16,9 @@ class Band {
 
     std::size_t first(std::size_t row) const { return rows_[row].first; }
     std::size_t end(std::size_t row) const { return rows_[row].end; }
-    double& operator()(std::size_t row, std::size_t column) { return entries_[rows_[row].offset + column - rows_[row].first]; }
+    double& operator()(std::size_t row, std::size_t column) {
+        return entries_[rows_[row].offset + column - rows_[row].first];
+    }
 
     /// x = A^-1 x; the matrix is then no more what it was. None of its leading minors may be zero.
     void solve(std::vector<double>& x);

@@ -11,7 +11,8 @@ void find_rubbed(State& state) {
     std::fill(state.rubbed.begin(), state.rubbed.end(), -1.0);
     for (const Row& row : state.rows)
         if (is_touched(state, row))
-            for (const int link : {row.link, row.against == Against::thread ? row.other : row.link}) state.rubbed[at(link)] = std::max(state.rubbed[at(link)], row.friction);
+            for (const int link : {row.link, row.against == Against::thread ? row.other : row.link})
+                state.rubbed[at(link)] = std::max(state.rubbed[at(link)], row.friction);
 }
 
 std::size_t last_rubbed(const State& state, const Tail& tail) {
@@ -20,7 +21,8 @@ std::size_t last_rubbed(const State& state, const Tail& tail) {
     return node;
 }
 
-// A free end lies as it was left. From the last place that the strand is drawn over to its hold it is taut: each turn is at one such place or the next, for nothing else turns it.
+// A free end lies as it was left. From the last place that the strand is drawn over to its hold it is taut: each turn
+// is at one such place or the next, for nothing else turns it.
 static void pull_through(State& state, const Tail& tail) {
     double grown = 0, friction = 0;  // the pull by e to this, since the free end
     for (std::size_t node = tail.end; node != tail.held; node = tail.before(node)) {

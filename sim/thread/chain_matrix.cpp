@@ -8,7 +8,9 @@ using Eight = Eigen::Matrix<double, 8, 1>;
 using Four = Eigen::Matrix<double, 4, 1>;
 
 template <class Column>
-static Eigen::Map<Column> at(double* p) { return Eigen::Map<Column>(p); }
+static Eigen::Map<Column> at(double* p) {
+    return Eigen::Map<Column>(p);
+}
 
 void ChainMatrix::clear(std::size_t nodes) {
     nodes_ = nodes;
@@ -18,14 +20,15 @@ void ChainMatrix::clear(std::size_t nodes) {
 void ChainMatrix::add(std::size_t i, std::size_t j, const Block& block) {
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t r = j == i ? c : 0; r < 3; ++r)
-            band_[(3 * i + c) * stride + 3 * (j - i) + r - c] += block(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(r));
+            band_[(3 * i + c) * stride + 3 * (j - i) + r - c] +=
+                block(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(r));
 }
 
 void ChainMatrix::lead(std::size_t i, const Vec3& x, std::vector<Vec3>& right) const {
     for (std::size_t j = i < 2 ? 0 : i - 2; j < std::min(nodes_, i + 3); ++j) {
         if (j == i) continue;
         const std::size_t first = std::min(i, j), by = 3 * (std::max(i, j) - first);
-        for (std::size_t a = 0; a < 3; ++a)      // of the node that comes first
+        for (std::size_t a = 0; a < 3; ++a)        // of the node that comes first
             for (std::size_t b = 0; b < 3; ++b) {  // of the other
                 const double entry = band_[(3 * first + a) * stride + by + b - a];
                 const auto [r, c] = j < i ? std::pair(a, b) : std::pair(b, a);

@@ -45,17 +45,19 @@ static void substitute(const State& state, std::vector<double>& x) {
     for (std::size_t k = x.size() - 1; k-- > 0;) x[k] -= state.upper[k] * x[k + 1];
 }
 
-// The inverse of the lengths' symmetric tridiagonal matrix at the links that rows touch, from the factors of the last solve:
-// its diagonal, and the share of an answer that reaches from each such link to the next.
+// The inverse of the lengths' symmetric tridiagonal matrix at the links that rows touch, from the factors of the last
+// solve: its diagonal, and the share of an answer that reaches from each such link to the next.
 static void invert_lengths(State& state) {
     std::vector<int>& touched = state.touched;
     touched.clear();
-    for (const PushedRow& row : state.pushed_rows) touched.insert(touched.end(), row.link.begin(), row.link.begin() + row.links);
+    for (const PushedRow& row : state.pushed_rows)
+        touched.insert(touched.end(), row.link.begin(), row.link.begin() + row.links);
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (PushedRow& row : state.pushed_rows)
         for (int i = 0; i < row.links; ++i)
-            row.place[at(i)] = static_cast<int>(std::lower_bound(touched.begin(), touched.end(), row.link[at(i)]) - touched.begin());
+            row.place[at(i)] =
+                static_cast<int>(std::lower_bound(touched.begin(), touched.end(), row.link[at(i)]) - touched.begin());
 
     state.inverse.resize(touched.size());
     double diagonal = 0, share = 1;
@@ -77,7 +79,8 @@ static void answer(State& state) {
     effects.setZero();
     for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
         const PushedRow& row = state.pushed_rows[c];
-        for (int i = 0; i < row.links; ++i) effects.block<1, 3>(row.place[at(i)], axes(c)) = row.effect[at(i)].transpose();
+        for (int i = 0; i < row.links; ++i)
+            effects.block<1, 3>(row.place[at(i)], axes(c)) = row.effect[at(i)].transpose();
     }
     for (Eigen::Index a = places; a-- > 0;) {
         answers.row(a) = inverse[static_cast<std::size_t>(a)].diagonal * effects.row(a);
@@ -111,8 +114,11 @@ static void collect(State& state) {
     std::vector<PushedRow>& rows = state.pushed_rows;
     rows.clear();
     for (Row& row : state.rows)
-        if (!row.glides && (row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0) rows.emplace_back(row);
-    const auto matters = [](const PushedRow& r) { return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance); };
+        if (!row.glides && (row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0)
+            rows.emplace_back(row);
+    const auto matters = [](const PushedRow& r) {
+        return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance);
+    };
     if (rows.size() > most_coupled) {
         std::sort(rows.begin(), rows.end(), [&](const PushedRow& a, const PushedRow& b) {
             return matters(a) != matters(b) ? matters(a) > matters(b) : a.row < b.row;
@@ -122,9 +128,9 @@ static void collect(State& state) {
     for (PushedRow& row : rows) measure_effects(state, row);
 }
 
-// Times a slip across the normal: the push that would undo it, if `own` is how the points give way to pushes. A strand gives way
-// easily across itself and hardly along itself. A matrix of a plane's two axes has the inverse (trace - itself) / determinant: of no
-// axes but the scene's, so that a mirrored knot pushes alike to the last bit.
+// Times a slip across the normal: the push that would undo it, if `own` is how the points give way to pushes. A strand
+// gives way easily across itself and hardly along itself. A matrix of a plane's two axes has the inverse (trace -
+// itself) / determinant: of no axes but the scene's, so that a mirrored knot pushes alike to the last bit.
 static Mat3 push_against(const Vec3& normal, const Mat3& own, double least) {
     const Mat3 across = Mat3::Identity() - normal * normal.transpose(), gives = across * own * across + least * across;
     const double trace = gives.trace(), determinant = 0.5 * (trace * trace - gives.squaredNorm());
@@ -140,8 +146,8 @@ static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Mat
     row.against = push_against(row.row->normal, row.own, least);
 }
 
-// How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric: what
-// a push at one row does to another, it does in return.
+// How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric:
+// what a push at one row does to another, it does in return.
 static void measure_responses(State& state) {
     const std::vector<PushedRow>& rows = state.pushed_rows;
     const Eigen::Index columns = axes(rows.size());
@@ -192,12 +198,13 @@ static void add_to_row(Row& row, const Vec3& push) {
 static void go_on_by(State& state, double again) {
     state.way *= again;
     state.pushes += state.way;
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) add_to_row(*state.pushed_rows[c].row, state.way.segment<3>(axes(c)));
+    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c)
+        add_to_row(*state.pushed_rows[c].row, state.way.segment<3>(axes(c)));
 }
 
-// Where rows of a knot work against each other sweeps alone gain a little less each time, for hundreds of times. What each
-// gains is carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1], and twenty are
-// enough. A sweep is always last, so that no push leaves its cone.
+// Where rows of a knot work against each other sweeps alone gain a little less each time, for hundreds of times. What
+// each gains is carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1], and
+// twenty are enough. A sweep is always last, so that no push leaves its cone.
 static double solve_pushes(State& state) {
     constexpr int most_sweeps = 20;
     constexpr double small_enough = 0.3;  // a sweep's overlap is from before it
@@ -232,8 +239,8 @@ static double share_within_bounds(const State& state, const std::vector<Vec3>& m
     return share;
 }
 
-// All pushes at once, and what the lengths answer to them to first order. The pushes alone can be large where a taut strand
-// lies on something: only what remains of them after the lengths have answered is a motion.
+// All pushes at once, and what the lengths answer to them to first order. The pushes alone can be large where a taut
+// strand lies on something: only what remains of them after the lengths have answered is a motion.
 static void move_by_pushes(State& state) {
     std::vector<Vec3>& move = state.coupled_move;
     std::vector<double>& change = state.multiplier;

@@ -2,8 +2,8 @@
 
 #include "sim/thread/stages.hpp"
 
-// The thread cut in two. A stump ends half a contact's thickness from where it was cut, as a round end does that covers what the
-// cut left; so the two just touch, and as nothing moves nothing can be passed through.
+// The thread cut in two. A stump ends half a contact's thickness from where it was cut, as a round end does that covers
+// what the cut left; so the two just touch, and as nothing moves nothing can be passed through.
 namespace sim::thread {
 
 namespace {
@@ -40,7 +40,8 @@ std::size_t node_at(State& state, const Place& place, std::span<int> held) {
 
 template <class T>
 void erase(std::vector<T>& values, std::size_t first, std::size_t last) {
-    values.erase(values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last));
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(first),
+                 values.begin() + static_cast<std::ptrdiff_t>(last));
 }
 
 // Nodes between the two stumps are no more, nor what pressed on their links.
@@ -58,7 +59,9 @@ void leave_out(State& state, std::size_t first, std::size_t second, std::span<in
     erase(state.asleep, first + 1, second);
     state.rod->leave_out(first, second);
     const auto is_gone = [&](int link) { return link >= from && link < to; };
-    std::erase_if(state.pressed, [&](const Row& row) { return is_gone(row.link) || (row.against == Against::thread && is_gone(row.other)); });
+    std::erase_if(state.pressed, [&](const Row& row) {
+        return is_gone(row.link) || (row.against == Against::thread && is_gone(row.other));
+    });
     for_all_pressed(state, [&](Row& row) {
         if (row.link >= to) row.link -= fewer;
         if (row.against == Against::thread && row.other >= to) row.other -= fewer;

@@ -17,7 +17,8 @@ static bool is_held_by(const State& state, int link, int owner) {
     return ends == 2;
 }
 
-static void add(State& state, Against against, int link, int other, double thickness, const geometry::ClosestPair& pair) {
+static void add(State& state, Against against, int link, int other, double thickness,
+                const geometry::ClosestPair& pair) {
     state.contacts.push_back({against, link, other, thickness, std::sqrt(pair.distance_squared), 0, pair.t});
 }
 
@@ -36,8 +37,11 @@ static void detect_self(State& state) {
     };
     state.tree.self_pairs(state.reach, 2, [&](int i, int j) {
         if (is_out_of_reach(state.middles[at(i)], state.middles[at(j)])) return;
-        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn || state.is_cut(at(i)) || state.is_cut(at(j)) || (sleeps(state, i) && sleeps(state, j))) return;
-        const auto pair = closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
+        if (state.arc[at(j)] - state.arc[at(i + 1)] < half_turn || state.is_cut(at(i)) || state.is_cut(at(j)) ||
+            (sleeps(state, i) && sleeps(state, j)))
+            return;
+        const auto pair =
+            closest_points(state.nodes[at(i)], state.nodes[at(i + 1)], state.nodes[at(j)], state.nodes[at(j + 1)]);
         if (pair.distance_squared < reach2) add(state, Against::thread, i, j, (1 + skin) * 2 * state.def.radius, pair);
     });
 }
@@ -74,7 +78,8 @@ static void detect_surface(State& state) {
             const Vec3 &a0 = state.nodes[at(i)], &a1 = state.nodes[at(i + 1)];
             const Box near_link = Box{a0.cwiseMin(a1), a0.cwiseMax(a1)}.grown(state.reach);
             for (const int triangle : state.found) {
-                if (!surface.box(triangle).overlaps(near_link) || surface.plane_gap(triangle, a0, a1) >= state.reach) continue;
+                if (!surface.box(triangle).overlaps(near_link) || surface.plane_gap(triangle, a0, a1) >= state.reach)
+                    continue;
                 const auto pair = closest_points(a0, a1, surface[triangle]);
                 if (pair.distance_squared < state.reach * state.reach)
                     add(state, Against::surface, i, triangle, state.def.radius, pair);
@@ -98,8 +103,8 @@ static bool scene_changed(State& state) {
     return changed;
 }
 
-// What was beyond reach cannot touch before something has moved by half the rest. Held nodes and tools that are asked to
-// go `way` need that much room besides, for what has not been looked at bounds every node.
+// What was beyond reach cannot touch before something has moved by half the rest. Held nodes and tools that are asked
+// to go `way` need that much room besides, for what has not been looked at bounds every node.
 static bool is_due(State& state, double way) {
     const double touching = 2 * state.def.radius, unseen = looked_around * state.def.radius - 2 * state.moved;
     const bool roomy = unseen > touching && (state.moved == 0 || bound_share * unseen > 2 * way);

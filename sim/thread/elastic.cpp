@@ -4,9 +4,9 @@
 #include "sim/thread/advance.hpp"
 #include "sim/thread/press.hpp"
 
-// A tick of an elastic thread: one implicit step in which the rod and all that it touches are linear, a step of Newton's method; what
-// that leaves is taken up by the next tick. Where a node has used up what it may move before we look around again, the rest of the
-// tick is another such step.
+// A tick of an elastic thread: one implicit step in which the rod and all that it touches are linear, a step of
+// Newton's method; what that leaves is taken up by the next tick. Where a node has used up what it may move before we
+// look around again, the rest of the tick is another such step.
 namespace sim::thread {
 
 // How much nearer the step may bring what a contact is of: no point of a link goes farther than one of its ends.
@@ -17,14 +17,16 @@ static double nearing(std::span<const Vec3> step, const Contact& c) {
     return std::max({(a - from).norm(), (a - to).norm(), (b - from).norm(), (b - to).norm()});
 }
 
-// The largest share of the step that leaves every node within its bound, no contact's points farther along each other than links see
-// straight, and what was too far to push, or for a row, just touching.
+// The largest share of the step that leaves every node within its bound, no contact's points farther along each other
+// than links see straight, and what was too far to push, or for a row, just touching.
 static double share_within_bounds(const State& state) {
     constexpr double for_lengths = 0.9, for_turning = 0.3;
     const double most = for_turning * 2 * state.def.radius;
     const std::span<const Vec3> step = state.rod->step_found();
     double share = 1;
-    const auto limit = [&](double size, double to) { if (size > to) share = std::min(share, to / size); };
+    const auto limit = [&](double size, double to) {
+        if (size > to) share = std::min(share, to / size);
+    };
     double largest = 0;
     for (std::size_t i = 0; i < step.size(); ++i) {
         const double size = step[i].norm();
@@ -32,7 +34,8 @@ static double share_within_bounds(const State& state) {
         limit(size, for_lengths * state.bound[i]);
     }
     for (const Contact& c : state.contacts)
-        if (const double room = c.gap - c.thickness; room >= closing(state) && 2 * largest > room) limit(nearing(step, c), room);
+        if (const double room = c.gap - c.thickness; room >= closing(state) && 2 * largest > room)
+            limit(nearing(step, c), room);
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         const Press& press = state.presses[c];
         if (press.push.squaredNorm() > 0 && press.row->against == Against::thread)
@@ -68,7 +71,8 @@ static void end_step(State& state, TickReport& report) {
 static void add_changes(State& state) {
     state.forces.assign(state.nodes.size(), Vec3::Zero());
     for (const Press& press : state.presses)
-        for (int k = 0; k < press.pair.nodes; ++k) state.forces[at(press.pair.node[at(k)])] += press.pair.weight[at(k)] * (press.push - press.pair.force);
+        for (int k = 0; k < press.pair.nodes; ++k)
+            state.forces[at(press.pair.node[at(k)])] += press.pair.weight[at(k)] * (press.push - press.pair.force);
     if (!state.presses.empty()) state.rod->add_forces(state.forces);
 }
 
@@ -77,7 +81,9 @@ static void set_progress(State& state, double progress) {
     place_capsules(state);
 }
 
-static double way_of_step(const State& state, double left, const Motion& motion) { return std::max(0.5 * state.def.radius, left * motion.most()); }
+static double way_of_step(const State& state, double left, const Motion& motion) {
+    return std::max(0.5 * state.def.radius, left * motion.most());
+}
 
 // Tools first, by this share of what is left of their motion, then what the thread answers to first order.
 static void answer(State& state, double left, double tools, const Motion& motion, TickReport& report) {
@@ -106,12 +112,13 @@ static void answer(State& state, double left, double tools, const Motion& motion
 
 /// Of a tick.
 struct Left {
-    double motion = 1;    ///< Share that tools have still to make.
+    double motion = 1;     ///< Share that tools have still to make.
     bool is_taut = false;  ///< They wait: they pulled as hard as any may.
 };
 
-// Where the answer would pull a link harder than any may tools wait, and the thread answers without them: one that stopped with them
-// could not even give way. What would then still be pulled too hard, as by the way it bends, does stop it.
+// Where the answer would pull a link harder than any may tools wait, and the thread answers without them: one that
+// stopped with them could not even give way. What would then still be pulled too hard, as by the way it bends, does
+// stop it.
 static Left step(State& state, double left, const Motion& motion, TickReport& report) {
     Rod& rod = *state.rod;
     state.before = state.nodes;
@@ -127,7 +134,8 @@ static Left step(State& state, double left, const Motion& motion, TickReport& re
     const double may_pull = rod.share_within(by_tools * most);
     const bool is_taut = may_pull < 1;
     if (is_taut) answer(state, left, tools *= may_pull, motion, report);
-    const double share = rod.go_by(std::min(rod.share_within(most), share_within_bounds(state)), state.before, state.bound);
+    const double share =
+        rod.go_by(std::min(rod.share_within(most), share_within_bounds(state)), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;
     set_progress(state, 1 - left);
@@ -141,10 +149,13 @@ void elastic_tick(State& state, const Motion& motion, TickReport& report) {
     wake_what_is_moved(state);
     hold_what_sleeps(state);
     for (Row& row : state.pressed) row.began = row.push();
-    rod.begin({.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}, .asleep = state.asleep}, state.input.seconds);
+    rod.begin(
+        {.holds = state.input.holds, .loads = state.input.loads, .turn = {}, .tolerance = {}, .asleep = state.asleep},
+        state.input.seconds);
     Left left;
     int pressed = 0;
-    for (int i = 0; i < most_steps && (enough == 0 || pressed < enough) && left.motion > 0 && !(i > 0 && left.is_taut); ++i) {
+    for (int i = 0; i < most_steps && (enough == 0 || pressed < enough) && left.motion > 0 && !(i > 0 && left.is_taut);
+         ++i) {
         left = step(state, left.motion, motion, report);
         end_step(state, report);
         pressed += static_cast<int>(state.presses.size());

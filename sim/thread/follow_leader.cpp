@@ -14,7 +14,10 @@ static Vec3 follow(const Vec3& leader, const Vec3& old_place, double rest) {
 
 // The free tail beyond a held node.
 static void drag_tail(State& state, int held, int direction) {
-    const auto is_tip = [&](int node) { return direction > 0 ? state.is_last(static_cast<std::size_t>(node)) : state.is_first(static_cast<std::size_t>(node)); };
+    const auto is_tip = [&](int node) {
+        return direction > 0 ? state.is_last(static_cast<std::size_t>(node))
+                             : state.is_first(static_cast<std::size_t>(node));
+    };
     for (int i = held; !is_tip(i); i += direction) {
         const auto leader = static_cast<std::size_t>(i), follower = static_cast<std::size_t>(i + direction);
         const double rest = state.rest[static_cast<std::size_t>(direction > 0 ? i : i - 1)];
@@ -22,8 +25,8 @@ static void drag_tail(State& state, int held, int direction) {
     }
 }
 
-// Between two held nodes: follow from either end from the same old state and blend, so that every link takes its share of
-// what is missing.
+// Between two held nodes: follow from either end from the same old state and blend, so that every link takes its share
+// of what is missing.
 static void drag_between(State& state, int first, int last) {
     const auto f = static_cast<std::size_t>(first), l = static_cast<std::size_t>(last);
     state.forward[f] = state.nodes[f];

@@ -5,9 +5,10 @@
 #include "sim/geometry/at.hpp"
 #include "sim/thread/stages.hpp"
 
-// Thread that lies along steel. Its tension presses every one of its links on the steel, and what they drag changes the tension: passes
-// over contacts and lengths in turn hand that on by a link or two each, so a long wrap seems to hang. Here all lengths, pushes and
-// friction of such contacts are one linear system, each link's part of which meets only its neighbours'.
+// Thread that lies along steel. Its tension presses every one of its links on the steel, and what they drag changes the
+// tension: passes over contacts and lengths in turn hand that on by a link or two each, so a long wrap seems to hang.
+// Here all lengths, pushes and friction of such contacts are one linear system, each link's part of which meets only
+// its neighbours'.
 namespace sim::thread {
 
 namespace {
@@ -19,12 +20,16 @@ Vec3 tangent(const State& state, const Row& row) {
     return (along - along.dot(row.normal) * row.normal).stableNormalized();
 }
 
-double depth(const State& state, const Row& row) { return row.target - apart_of(state, row).dot(row.normal); }
+double depth(const State& state, const Row& row) {
+    return row.target - apart_of(state, row).dot(row.normal);
+}
 
-bool presses(const State& state, const Row& row) { return row.pressed || row.normal_push + depth(state, row) / row.mobility > 0; }
+bool presses(const State& state, const Row& row) {
+    return row.pressed || row.normal_push + depth(state, row) / row.mobility > 0;
+}
 
-// Along a taut stretch of thread all slides or all holds: how much of Coulomb's friction it takes to hold is one number, found by the
-// secant method; more than all of it slides.
+// Along a taut stretch of thread all slides or all holds: how much of Coulomb's friction it takes to hold is one
+// number, found by the secant method; more than all of it slides.
 void grip(State& state, std::span<Row* const> stretch) {
     const double still = 1e-3 * state.def.radius;
     double pushes = 0, slip = 0, grip = 0, slip_before = 0, grip_before = 0;
@@ -60,8 +65,8 @@ void grip_stretches(State& state) {
     }
 }
 
-// A taut strand is stiff across itself: a node that leaves its line by x is drawn back by x times tension over length on either side.
-// Without that a small kink, drawn straight by what tension has grown, becomes a larger one.
+// A taut strand is stiff across itself: a node that leaves its line by x is drawn back by x times tension over length
+// on either side. Without that a small kink, drawn straight by what tension has grown, becomes a larger one.
 void measure_stiffness(State& state) {
     constexpr double share = 0.25;  // of what all neighbours at rest would make it; more damps what is to be found
     state.stiff.assign(state.nodes.size(), 1.0);
@@ -69,7 +74,8 @@ void measure_stiffness(State& state) {
     for (std::size_t i = 1; i + 1 < state.nodes.size(); ++i) {
         if (state.is_end(i)) continue;
         state.line[i] = (state.nodes[i + 1] - state.nodes[i - 1]).stableNormalized();
-        for (const std::size_t k : {i - 1, i}) state.stiff[i] += share * std::max({0.0, -state.pulled[k], -state.pulled_before[k]}) / state.rest[k];
+        for (const std::size_t k : {i - 1, i})
+            state.stiff[i] += share * std::max({0.0, -state.pulled[k], -state.pulled_before[k]}) / state.rest[k];
     }
 }
 
@@ -91,7 +97,8 @@ void change_push(State& state, Row& row, double normal, const Vec3& tangent) {
     row.tangent_push = tangent;
 }
 
-// Friction across the thread is what it was and what undoes the slip, as far as the cone leaves room beside what it drags along.
+// Friction across the thread is what it was and what undoes the slip, as far as the cone leaves room beside what it
+// drags along.
 Vec3 push_across(const State& state, const Row& row, const Vec3& along) {
     const Vec3 slip = slip_of(row, apart_of(state, row)), wanted = row.tangent_push - slip / row.mobility;
     const Vec3 across = wanted - wanted.dot(along) * along;
@@ -100,7 +107,8 @@ Vec3 push_across(const State& state, const Row& row, const Vec3& along) {
 }
 
 void add_contact(State& state, Row& row) {
-    constexpr double compliance = 1e-2;  // beside a diagonal of 1: contacts that nearly say the same do not work against each other
+    constexpr double compliance =
+        1e-2;  // beside a diagonal of 1: contacts that nearly say the same do not work against each other
     if (row.mobility == 0) return;
     const bool is_on = presses(state, row);
     row.pressed = false;
@@ -135,7 +143,8 @@ double collect(State& state) {
 double response(const State& state, const Unknown& of, const Unknown& by) {
     double sum = 0;
     for (int a = 0; a < 2; ++a)
-        if (const int b = of.link + a - by.link; b == 0 || b == 1) sum += of.weight[at(a)] * by.weight[at(b)] * of.axis.dot(move_of(state, of.link + a, by.force));
+        if (const int b = of.link + a - by.link; b == 0 || b == 1)
+            sum += of.weight[at(a)] * by.weight[at(b)] * of.axis.dot(move_of(state, of.link + a, by.force));
     return sum;
 }
 
@@ -152,7 +161,9 @@ void fill_band(State& state) {
 }
 
 void push(State& state, const Unknown& unknown, double by) {
-    for (int a = 0; a < 2; ++a) state.glided[at(unknown.link + a)] += by * unknown.weight[at(a)] * move_of(state, unknown.link + a, unknown.force);
+    for (int a = 0; a < 2; ++a)
+        state.glided[at(unknown.link + a)] +=
+            by * unknown.weight[at(a)] * move_of(state, unknown.link + a, unknown.force);
     if (!unknown.row) {
         state.pulled[at(unknown.link)] += by;
         return;
@@ -172,8 +183,9 @@ void forget_pushes(State& state) {
 }  // namespace
 
 bool is_on_steel(const State& state) {
-    return std::any_of(state.on_steel.begin(), state.on_steel.end(),
-                       [&](const Row* row) { return row->mobility > 0 && (row->normal_push > 0 || presses(state, *row)); });
+    return std::any_of(state.on_steel.begin(), state.on_steel.end(), [&](const Row* row) {
+        return row->mobility > 0 && (row->normal_push > 0 || presses(state, *row));
+    });
 }
 
 double glide(State& state) {
@@ -183,11 +195,13 @@ double glide(State& state) {
     const double worst = collect(state);
     for (std::size_t i = 0; i < state.unknowns.size(); ++i) {
         const Unknown& u = state.unknowns[i];
-        state.unknown[i] -= u.axis.dot(u.weight[0] * state.glided[at(u.link)] + u.weight[1] * state.glided[at(u.link + 1)]);
+        state.unknown[i] -=
+            u.axis.dot(u.weight[0] * state.glided[at(u.link)] + u.weight[1] * state.glided[at(u.link + 1)]);
     }
     fill_band(state);
     state.band.solve(state.unknown);
-    if (!std::all_of(state.unknown.begin(), state.unknown.end(), [](double x) { return std::isfinite(x); })) return forget_pushes(state), worst;
+    if (!std::all_of(state.unknown.begin(), state.unknown.end(), [](double x) { return std::isfinite(x); }))
+        return forget_pushes(state), worst;
     for (std::size_t i = 0; i < state.unknowns.size(); ++i) push(state, state.unknowns[i], state.unknown[i]);
     for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += state.glided[i];
     return worst;

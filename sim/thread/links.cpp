@@ -7,30 +7,38 @@
 // straight and clear of other strands, so that nothing can be in the sliver between them and their chord.
 namespace sim::thread {
 
-constexpr double most_sagitta = 0.25;  // of the radius: a link is longer then than the geometric mean of thickness and bend
+constexpr double most_sagitta =
+    0.25;  // of the radius: a link is longer then than the geometric mean of thickness and bend
 
 // How far links of length `l` lie off the curve that turns by `turn` [rad] at each of them: the sagitta of an arc.
-static double sagitta(double l, double turn) { return l * turn / 8; }
+static double sagitta(double l, double turn) {
+    return l * turn / 8;
+}
 
-static Vec3 direction(const State& state, std::size_t link) { return (state.nodes[link + 1] - state.nodes[link]).stableNormalized(); }
+static Vec3 direction(const State& state, std::size_t link) {
+    return (state.nodes[link + 1] - state.nodes[link]).stableNormalized();
+}
 
 double turn_at(const State& state, std::size_t node) {
     return state.is_end(node) ? 0 : (direction(state, node) - direction(state, node - 1)).norm();
 }
 
-// Nearest other strand of every link, in thicknesses, as it was when last looked at. What is as near along the thread as we
-// look is no other strand: there the bend between says how short links must be.
+// Nearest other strand of every link, in thicknesses, as it was when last looked at. What is as near along the thread
+// as we look is no other strand: there the bend between says how short links must be.
 static void measure_nearest(State& state) {
     state.nearest.assign(state.rest.size(), 1e300);
     for (const Contact& c : state.contacts) {
         if (c.against != Against::thread || state.arc[at(c.other)] - state.arc[at(c.link + 1)] < state.reach) continue;
-        for (const int link : {c.link, c.other}) state.nearest[at(link)] = std::min(state.nearest[at(link)], c.gap / c.thickness);
+        for (const int link : {c.link, c.other})
+            state.nearest[at(link)] = std::min(state.nearest[at(link)], c.gap / c.thickness);
     }
 }
 
 static bool asks_for_shorter(const State& state, std::size_t link) {
     constexpr double touching = 1.1, root_two = 1.4142135623730951;
-    if (state.rest[link] <= root_two * state.def.shortest_link || state.inverse_mass[link] + state.inverse_mass[link + 1] == 0) return false;
+    if (state.rest[link] <= root_two * state.def.shortest_link ||
+        state.inverse_mass[link] + state.inverse_mass[link + 1] == 0)
+        return false;
     const double turn = std::max(turn_at(state, link), turn_at(state, link + 1));
     return state.nearest[link] < touching || sagitta(state.rest[link], turn) > most_sagitta * state.def.radius;
 }
@@ -40,7 +48,8 @@ static bool can_go(const State& state, std::size_t node) {
     constexpr double clear = 1.9;  // nearer strands are measured in every substep
     constexpr double most_moved = 0.1;
     const double a = state.rest[node - 1], b = state.rest[node], joined = a + b;
-    if (state.is_end(node) || state.inverse_mass[node] == 0 || joined > state.longest_link || std::min(state.nearest[node - 1], state.nearest[node]) < clear)
+    if (state.is_end(node) || state.inverse_mass[node] == 0 || joined > state.longest_link ||
+        std::min(state.nearest[node - 1], state.nearest[node]) < clear)
         return false;
     const double off = a * b / joined * turn_at(state, node);
     const double turn = turn_at(state, node) + std::max(turn_at(state, node - 1), turn_at(state, node + 1));
@@ -64,13 +73,16 @@ static void renumber(std::span<int> held, int from, int by) {
 
 void split(State& state, std::size_t link, double share, std::span<int> held) {
     const auto insert_between = [&](auto& values) {
-        insert(values, link + 1, typename std::decay_t<decltype(values)>::value_type((1 - share) * values[link] + share * values[link + 1]));
+        insert(
+            values, link + 1,
+            typename std::decay_t<decltype(values)>::value_type((1 - share) * values[link] + share * values[link + 1]));
     };
     insert_between(state.nodes);
     insert_between(state.drift);
     insert_between(state.following);
     insert(state.inverse_mass, link + 1, 1.0);
-    for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest}) insert(*of_links, link, (*of_links)[link]);
+    for (std::vector<double>* of_links : {&state.rest, &state.tension, &state.nearest})
+        insert(*of_links, link, (*of_links)[link]);
     state.rest[link] *= share;
     state.rest[link + 1] *= 1 - share;
     const int parted = static_cast<int>(link);
@@ -81,7 +93,8 @@ void split(State& state, std::size_t link, double share, std::span<int> held) {
     state.rod->split(link, share);
     for_all_pressed(state, [&](Row& row) {
         if (row.link > parted || (row.link == parted && row.s > share)) ++row.link;
-        if (row.against == Against::thread && (row.other > parted || (row.other == parted && row.t > share))) ++row.other;
+        if (row.against == Against::thread && (row.other > parted || (row.other == parted && row.t > share)))
+            ++row.other;
     });
 }
 

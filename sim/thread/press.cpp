@@ -1,19 +1,20 @@
+#include "sim/thread/press.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/lane.hpp"
-#include "sim/thread/press.hpp"
 
-// What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it, against how the
-// points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
+// What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it,
+// against how the points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
 namespace sim::thread {
 
 using geometry::Lane;
 using Mat3 = Eigen::Matrix3d;
 
-// The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from where they would
-// be. First across, then along.
+// The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from
+// where they would be. First across, then along.
 static Vec3 push_of(const Press& press, const Vec3& lacks) {
     const Vec3& n = press.normal;
     const double before = press.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / press.gives);
@@ -57,7 +58,10 @@ void push_more(State& state, const Responses& responses, std::size_t c, const Ve
     for (const Run& run : answers_to(state, c)) {
         const std::size_t past = 3 * run.past;
         std::size_t i = 3 * run.first;
-        for (; i + 4 <= past; i += 4) (Lane::from(apart + i) + (Lane::from(x + i) * along_x + Lane::from(y + i) * along_y + Lane::from(z + i) * along_z)).to(apart + i);
+        for (; i + 4 <= past; i += 4)
+            (Lane::from(apart + i) +
+             (Lane::from(x + i) * along_x + Lane::from(y + i) * along_y + Lane::from(z + i) * along_z))
+                .to(apart + i);
         for (; i < past; ++i) apart[i] += x[i] * along_x + y[i] * along_y + z[i] * along_z;
     }
 }
@@ -98,10 +102,12 @@ static double gained(const State& state) {
     return sum;
 }
 
-// Gauss and Seidel alone gain a little less each time where many work against each other; what each sweep gains is carried on as by
-// nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so that no push leaves its cone.
+// Gauss and Seidel alone gain a little less each time where many work against each other; what each sweep gains is
+// carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so
+// that no push leaves its cone.
 static int sweep_until_still(State& state, const Responses& responses) {
-    constexpr double enough = 1e-5;  // of all pushes, by a sweep: with a hundred times that a loaded knot creeps on by its thickness every half second
+    constexpr double enough = 1e-5;  // of all pushes, by a sweep: with a hundred times that a loaded knot creeps on by
+                                     // its thickness every half second
     constexpr int most_sweeps = 60;
     double last = 0;
     state.apart_way.assign(state.apart.size(), 0.0);
@@ -120,7 +126,8 @@ int solve_together(State& state) {
     const Responses responses = measure_responses(state);
     state.apart.resize(3 * state.presses.size());
     find_apart(state);
-    for (std::size_t c = 0; c < state.presses.size(); ++c) measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)));
+    for (std::size_t c = 0; c < state.presses.size(); ++c)
+        measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)));
     const int sweeps = sweep_until_still(state, responses);
     part_presses(state, responses);
     return sweeps;

@@ -4,8 +4,8 @@
 #include "sim/geometry/at.hpp"
 #include "sim/thread/press.hpp"
 
-// Pieces of a cut thread that do not touch do not answer to each other's pushes. Each island of those that do is solved by itself: work is
-// quadratic in the presses solved together, and a stitch that is tied is of no concern to the next.
+// Pieces of a cut thread that do not touch do not answer to each other's pushes. Each island of those that do is solved
+// by itself: work is quadratic in the presses solved together, and a stitch that is tied is of no concern to the next.
 namespace sim::thread {
 
 // Of a piece, the first that it touches or that those touch.
@@ -21,7 +21,8 @@ static int island_of(const State& state, const Press& press) {
 
 static void find_islands(State& state) {
     state.piece_of.assign(1, 0);
-    for (std::size_t k = 0; k < state.rest.size(); ++k) state.piece_of.push_back(state.piece_of.back() + (state.is_cut(k) ? 1 : 0));
+    for (std::size_t k = 0; k < state.rest.size(); ++k)
+        state.piece_of.push_back(state.piece_of.back() + (state.is_cut(k) ? 1 : 0));
     state.island.resize(at(state.piece_of.back() + 1));
     std::iota(state.island.begin(), state.island.end(), 0);
     for (const Press& press : state.presses)
@@ -51,7 +52,8 @@ int solve_presses(State& state) {
     state.all_apart.assign(3 * state.all_presses.size(), 0.0);
     int sweeps = 0;
     for (std::size_t piece = 0; piece < state.island.size(); ++piece)
-        if (state.island[piece] == static_cast<int>(piece)) sweeps = std::max(sweeps, solve_island(state, static_cast<int>(piece)));
+        if (state.island[piece] == static_cast<int>(piece))
+            sweeps = std::max(sweeps, solve_island(state, static_cast<int>(piece)));
     state.all_presses.swap(state.presses);
     state.all_apart.swap(state.apart);
     return sweeps;

@@ -10,7 +10,9 @@ namespace {
 
 using Matrix = Eigen::Map<Table::Matrix>;
 
-double normal_push(const Press& press) { return press.push.dot(press.normal); }
+double normal_push(const Press& press) {
+    return press.push.dot(press.normal);
+}
 
 // How much nearer contact c is than it would be; negative: farther.
 double lacks(const State& state, std::size_t c) {
@@ -20,7 +22,9 @@ double lacks(const State& state, std::size_t c) {
 }
 
 bool share_piece(const Press& a, const Press& b) {
-    return &a == &b || std::any_of(a.piece.begin(), a.piece.end(), [&](int piece) { return piece >= 0 && (piece == b.piece[0] || piece == b.piece[1]); });
+    return &a == &b || std::any_of(a.piece.begin(), a.piece.end(), [&](int piece) {
+        return piece >= 0 && (piece == b.piece[0] || piece == b.piece[1]);
+    });
 }
 
 // How contacts that push part for unit pushes across.
@@ -32,7 +36,10 @@ Matrix responses_across(State& state, const Responses& responses) {
         const auto c = static_cast<std::size_t>(pushing[static_cast<std::size_t>(i)]);
         for (Eigen::Index j = 0; j <= i; ++j) {
             const auto d = static_cast<std::size_t>(pushing[static_cast<std::size_t>(j)]);
-            across(i, j) = share_piece(state.presses[c], state.presses[d]) ? state.presses[c].normal.dot(responses.block<3, 3>(axes(c), axes(d)) * state.presses[d].normal) : 0;
+            across(i, j) =
+                share_piece(state.presses[c], state.presses[d])
+                    ? state.presses[c].normal.dot(responses.block<3, 3>(axes(c), axes(d)) * state.presses[d].normal)
+                    : 0;
         }
     }
     return across;
@@ -41,14 +48,17 @@ Matrix responses_across(State& state, const Responses& responses) {
 // All that push do so as if they could pull as well.
 bool solve_pushing(State& state, const Responses& responses) {
     if (state.pushing.empty()) return true;
-    constexpr double softer = 1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
+    constexpr double softer =
+        1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
     Matrix across = responses_across(state, responses);
     const double more = softer * across.diagonal().mean();
-    for (Eigen::Index i = 0; i < across.rows(); ++i) across(i, i) += state.presses[at(state.pushing[at(i)])].give + more;
+    for (Eigen::Index i = 0; i < across.rows(); ++i)
+        across(i, i) += state.presses[at(state.pushing[at(i)])].give + more;
     const Eigen::LLT<Eigen::Ref<Table::Matrix>> in_place(across);
     if (in_place.info() != Eigen::Success) return false;
     state.push_change.resize(state.pushing.size());
-    for (std::size_t i = 0; i < state.pushing.size(); ++i) state.push_change[i] = lacks(state, static_cast<std::size_t>(state.pushing[i]));
+    for (std::size_t i = 0; i < state.pushing.size(); ++i)
+        state.push_change[i] = lacks(state, static_cast<std::size_t>(state.pushing[i]));
     Eigen::Map<Eigen::VectorXd> change(state.push_change.data(), across.rows());
     across.triangularView<Eigen::Lower>().solveInPlace(change);
     across.transpose().triangularView<Eigen::Upper>().solveInPlace(change);
@@ -83,7 +93,8 @@ bool settle_across(State& state, const Responses& responses, double near) {
         state.wrong.clear();
         for (std::size_t c = 0; c < state.presses.size(); ++c) {
             const bool pushes = std::binary_search(state.pushing.begin(), state.pushing.end(), static_cast<int>(c));
-            if (pushes ? normal_push(state.presses[c]) < 0 : lacks(state, c) > near) state.wrong.push_back(static_cast<int>(c));
+            if (pushes ? normal_push(state.presses[c]) < 0 : lacks(state, c) > near)
+                state.wrong.push_back(static_cast<int>(c));
         }
         if (state.wrong.empty()) return true;
         if (state.wrong.size() < least) {
@@ -106,7 +117,8 @@ bool settle_across(State& state, const Responses& responses, double near) {
 }
 
 void take_back(State& state, const Responses& responses) {
-    for (std::size_t c = 0; c < state.presses.size(); ++c) push_more(state, responses, c, state.presses[c].before - state.presses[c].push);
+    for (std::size_t c = 0; c < state.presses.size(); ++c)
+        push_more(state, responses, c, state.presses[c].before - state.presses[c].push);
 }
 
 }  // namespace

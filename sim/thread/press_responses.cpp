@@ -26,7 +26,9 @@ struct Weighing {
 
 static void find_touching(State& state) {
     state.touching.clear();
-    for (const Press& press : state.presses) state.touching.insert(state.touching.end(), press.pair.node.begin(), press.pair.node.begin() + press.pair.nodes);
+    for (const Press& press : state.presses)
+        state.touching.insert(state.touching.end(), press.pair.node.begin(),
+                              press.pair.node.begin() + press.pair.nodes);
     std::sort(state.touching.begin(), state.touching.end());
     state.touching.erase(std::unique(state.touching.begin(), state.touching.end()), state.touching.end());
 }
@@ -46,7 +48,8 @@ static void find_places(State& state) {
         press.place = {};
         for (int k = 0; k < pair.nodes; ++k) press.place[at(k)] = state.place[at(pair.node[at(k)])];
         press.piece = {-1, -1};
-        if (pair.nodes > 0) press.piece = {state.piece_of[at(pair.node[0])], state.piece_of[at(pair.node[at(pair.nodes - 1)])]};
+        if (pair.nodes > 0)
+            press.piece = {state.piece_of[at(pair.node[0])], state.piece_of[at(pair.node[at(pair.nodes - 1)])]};
     }
 }
 
@@ -56,8 +59,10 @@ static void add_answers(State& state, const std::array<int, 2>& pieces) {
     const std::size_t first = state.answering.size();
     for (std::size_t c = 0; c < state.presses.size(); ++c) {
         if (!is_one(state.presses[c].piece[0]) && !is_one(state.presses[c].piece[1])) continue;
-        if (state.answering.size() > first && state.answering.back().past == c) ++state.answering.back().past;
-        else state.answering.push_back({c, c + 1});
+        if (state.answering.size() > first && state.answering.back().past == c)
+            ++state.answering.back().past;
+        else
+            state.answering.push_back({c, c + 1});
     }
     state.first_answer.push_back(state.answering.size());
 }
@@ -76,7 +81,8 @@ static void find_answers(State& state) {
 
 std::span<const Run> answers_to(const State& state, std::size_t d) {
     const std::size_t list = state.presses[d].answers;
-    return std::span(state.answering).subspan(state.first_answer[list], state.first_answer[list + 1] - state.first_answer[list]);
+    return std::span(state.answering)
+        .subspan(state.first_answer[list], state.first_answer[list + 1] - state.first_answer[list]);
 }
 
 // It is symmetric: what is beyond the diagonal was found.
@@ -84,23 +90,30 @@ static void mirror(const State& state, Responses& responses) {
     for (std::size_t d = 0; d < state.presses.size(); ++d) {
         responses.block<3, 3>(axes(d), axes(d)).transposeInPlace();
         for (const Run& run : answers_to(state, d))
-            for (std::size_t c = std::max(run.first, d + 1); c < run.past; ++c) responses.block<3, 3>(axes(c), axes(d)) = responses.block<3, 3>(axes(d), axes(c)).transpose();
+            for (std::size_t c = std::max(run.first, d + 1); c < run.past; ++c)
+                responses.block<3, 3>(axes(c), axes(d)) = responses.block<3, 3>(axes(d), axes(c)).transpose();
     }
 }
 
 // Of each piece by itself: pieces know nothing of each other.
 static void find_inverses(State& state) {
     state.first_inverse.assign(1, 0);
-    const auto nodes_of = [&](std::size_t piece) { return std::span(state.touching).subspan(state.first_touching[piece], state.first_touching[piece + 1] - state.first_touching[piece]); };
+    const auto nodes_of = [&](std::size_t piece) {
+        return std::span(state.touching)
+            .subspan(state.first_touching[piece], state.first_touching[piece + 1] - state.first_touching[piece]);
+    };
     for (std::size_t piece = 0; piece < state.island.size(); ++piece) {
         const std::size_t size = 3 * nodes_of(piece).size();
         state.first_inverse.push_back(state.first_inverse.back() + size * size);
     }
-    if (const std::size_t all = state.first_inverse.back() + beyond; state.inverses.size() < all) state.inverses.resize(all);
-    for (std::size_t piece = 0; piece < state.island.size(); ++piece) state.rod->matrix().inverse_at(nodes_of(piece), state.inverses.data() + state.first_inverse[piece]);
+    if (const std::size_t all = state.first_inverse.back() + beyond; state.inverses.size() < all)
+        state.inverses.resize(all);
+    for (std::size_t piece = 0; piece < state.island.size(); ++piece)
+        state.rod->matrix().inverse_at(nodes_of(piece), state.inverses.data() + state.first_inverse[piece]);
 }
 
-// What of a contact acts on a piece: its nodes in the columns of that one's inverse, for an axis. Others have no weight there.
+// What of a contact acts on a piece: its nodes in the columns of that one's inverse, for an axis. Others have no weight
+// there.
 static Weighing on_piece(const State& state, const Press& press, std::size_t piece, Eigen::Index axis) {
     const Eigen::Index first = axes(state.first_touching[piece]), rows = axes(state.first_touching[piece + 1]) - first;
     Weighing weighing{};
@@ -133,7 +146,9 @@ static void find_moves(State& state, const Press& press, Eigen::Index axis) {
 
 static void forget_moves(State& state, const Press& press) {
     for (const int piece : press.piece)
-        if (piece >= 0) std::fill(state.press_moves.begin() + axes(state.first_touching[at(piece)]), state.press_moves.begin() + axes(state.first_touching[at(piece) + 1]), 0.0);
+        if (piece >= 0)
+            std::fill(state.press_moves.begin() + axes(state.first_touching[at(piece)]),
+                      state.press_moves.begin() + axes(state.first_touching[at(piece) + 1]), 0.0);
 }
 
 Responses measure_responses(State& state) {
@@ -150,7 +165,10 @@ Responses measure_responses(State& state) {
             double* const row = responses.row(axes(d) + a).data();
             std::fill_n(row + 3 * d, 3, 0.0);  // where nothing moves
             for (const Run& run : answers_to(state, d))
-                for (std::size_t c = std::max(run.first, d); c < run.past; ++c) Weighing{presses[c].pair.weight, presses[c].place}.from(state.press_moves.data()).three_to(row + 3 * c);
+                for (std::size_t c = std::max(run.first, d); c < run.past; ++c)
+                    Weighing{presses[c].pair.weight, presses[c].place}
+                        .from(state.press_moves.data())
+                        .three_to(row + 3 * c);
         }
         forget_moves(state, presses[d]);
     }

@@ -13,7 +13,9 @@ void clip(State& state) {
     }
 }
 
-static double solve(State& state) { return is_on_steel(state) ? glide(state) : solve_lengths(state); }
+static double solve(State& state) {
+    return is_on_steel(state) ? glide(state) : solve_lengths(state);
+}
 
 static double pass(State& state, double (*contacts)(State&)) {
     ++state.work;
@@ -29,7 +31,8 @@ static double settle(State& state) {
     // Newton's method on a long chain may err at first and then converges at once.
     constexpr int least_solves = 6, most_solves = 12;  // a wrap that lies on steel takes more than a knot
     double stretch = 1, before = 2;
-    for (int i = 0; i < most_solves && stretch > 0.1 * stretch_tolerance && (i < least_solves || stretch < 0.5 * before); ++i) {
+    for (int i = 0;
+         i < most_solves && stretch > 0.1 * stretch_tolerance && (i < least_solves || stretch < 0.5 * before); ++i) {
         before = stretch;
         stretch = solve(state);
         clip(state);
@@ -38,14 +41,17 @@ static double settle(State& state) {
 }
 
 // Contacts and lengths in turn until neither is violated, lengths last: they converge at once where they can. Where one
-// strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole strand:
-// what a few passes have not settled is solved with contacts and lengths together. Near enough and no longer coming nearer is
-// settled too: a knot pulled tight has no more to give.
+// strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole
+// strand: what a few passes have not settled is solved with contacts and lengths together. Near enough and no longer
+// coming nearer is settled too: a knot pulled tight has no more to give.
 double relax(State& state, Effort effort) {
-    constexpr int least_passes = 4;  // two know what presses; with less than four a wrap drags by half more than it should
+    constexpr int least_passes =
+        4;  // two know what presses; with less than four a wrap drags by half more than it should
     constexpr int work_of_coupling = 9;  // 20 rows, measured; a knot has 10 to 50
     double overlap = 1, was = 1;
-    const auto stands_still = [&](int passes) { return passes > least_passes && overlap < 1.2 && overlap > 0.95 * was; };
+    const auto stands_still = [&](int passes) {
+        return passes > least_passes && overlap < 1.2 && overlap > 0.95 * was;
+    };
     int passes = 0;
     for (; passes < effort.passes && (passes < least_passes || overlap >= 1) && !stands_still(passes); ++passes) {
         aim(state);
@@ -53,7 +59,8 @@ double relax(State& state, Effort effort) {
         overlap = pass(state, resolve_contacts);
     }
     // What a wrap and lengths alone leave is met by their own solve.
-    const bool others_press = std::any_of(state.rows.begin(), state.rows.end(), [](const Row& row) { return !row.glides && row.normal_push > 0; });
+    const bool others_press = std::any_of(state.rows.begin(), state.rows.end(),
+                                          [](const Row& row) { return !row.glides && row.normal_push > 0; });
     const int couplings = others_press || state.on_steel.empty() ? effort.couplings : 0;
     double violation = overlap < 1 || stands_still(passes) || couplings == 0 ? settle(state) : overlap;
     for (int i = 1; i <= couplings && violation > 1 && !state.rows.empty(); ++i) {

@@ -7,11 +7,15 @@
 
 namespace sim::thread {
 
-using geometry::ClosestPair;
 using geometry::closest_points;
+using geometry::ClosestPair;
 
-static Vec3 along(const Vec3& a, const Vec3& b, double s) { return a + s * (b - a); }
-static Vec3 on_link(const std::vector<Vec3>& nodes, int link, double s) { return along(nodes[at(link)], nodes[at(link + 1)], s); }
+static Vec3 along(const Vec3& a, const Vec3& b, double s) {
+    return a + s * (b - a);
+}
+static Vec3 on_link(const std::vector<Vec3>& nodes, int link, double s) {
+    return along(nodes[at(link)], nodes[at(link + 1)], s);
+}
 
 static void push_link(State& state, int link, double place, const Vec3& push) {
     state.nodes[at(link)] += state.inverse_mass[at(link)] * (1 - place) * push;
@@ -27,7 +31,8 @@ double over_goal(const State& state, const Row& row, double distance) {
     if (row.against == Against::thread) return std::max(0.0, (row.target - distance) / (strand_goal * thickness));
     // Lengths that are met after the last pass draw a taut thread in again.
     constexpr double room_for_lengths = 0.9;
-    return std::max({0.0, (row.target - distance) / (0.1 * thickness), (row.thickness - distance) / (room_for_lengths * steel_limit * thickness)});
+    return std::max({0.0, (row.target - distance) / (0.1 * thickness),
+                     (row.thickness - distance) / (room_for_lengths * steel_limit * thickness)});
 }
 
 double over_limit(const State& state, const Row& row) {
@@ -82,8 +87,8 @@ double resolve_contacts(State& state) {
     return worst;
 }
 
-// Within a substep a wall is the plane through the point that was nearest when it began: the link moves by less than the
-// thread's radius meanwhile, and the next substep looks again.
+// Within a substep a wall is the plane through the point that was nearest when it began: the link moves by less than
+// the thread's radius meanwhile, and the next substep looks again.
 static void aim_at_wall(const State& state, Row& row) {
     row.mobility = mobility(state, row.link, row.s);
     row.distance = (on_link(state.nodes, row.link, row.s) - row.fixed).dot(row.normal);
@@ -99,9 +104,9 @@ static void aim_at(const State& state, Row& row, const ClosestPair& pair) {
     if (row.distance > 0) row.normal = (pair.on_a - pair.on_b) / row.distance;
 }
 
-// Links along steel touch it in their middles, and a push there says as much of one end as of the other: errors that change from link
-// to link would be answered by ever larger zigzags. So where thread lies finely on steel, the node between two links is pushed, until
-// the two together lie right.
+// Links along steel touch it in their middles, and a push there says as much of one end as of the other: errors that
+// change from link to link would be answered by ever larger zigzags. So where thread lies finely on steel, the node
+// between two links is pushed, until the two together lie right.
 static void aim_at_nodes(State& state) {
     const double fine = 0.1 * state.def.radius;
     for (std::size_t r = 0; r + 1 < state.on_steel.size(); ++r) {
@@ -114,7 +119,8 @@ static void aim_at_nodes(State& state) {
         const double node_distance = std::sqrt(pair.distance_squared), distance = 0.5 * (row.distance + next.distance);
         if (std::abs(node_distance - distance) > fine) continue;
         // Across the thread, for steel that is smooth pushes no other way.
-        const Vec3 out = node - pair.on_b, chord = (state.nodes[at(next.link + 1)] - state.nodes[at(row.link)]).stableNormalized();
+        const Vec3 out = node - pair.on_b,
+                   chord = (state.nodes[at(next.link + 1)] - state.nodes[at(row.link)]).stableNormalized();
         row.s = 1;
         row.t = pair.t;
         row.normal = (out - out.dot(chord) * chord).stableNormalized();
@@ -141,7 +147,9 @@ double aim(State& state) {
                 row.start -= along(then.a, then.b, row.t);
                 break;
             }
-            case Against::surface: aim_at_wall(state, row); break;
+            case Against::surface:
+                aim_at_wall(state, row);
+                break;
         }
         worst = std::max(worst, over_limit(state, row));
     }
@@ -150,7 +158,8 @@ double aim(State& state) {
 }
 
 // A round thread cannot bend tighter than its own radius. Two links of length l that turn by the angle a go round a
-// circle of radius l / (2 tan(a/2)), so their outer ends stay at least 2 l cos(a/2) apart; what one is longer comes on top.
+// circle of radius l / (2 tan(a/2)), so their outer ends stay at least 2 l cos(a/2) apart; what one is longer comes on
+// top.
 double least_span(double a, double b, double radius) {
     const double l = std::min(a, b);
     return 2 * l * radius / std::sqrt(radius * radius + 0.25 * l * l) + std::abs(a - b);

@@ -9,19 +9,31 @@ namespace sim::thread {
 // How stiff contact is against a link: so deep does a node go before the multiplier has taken over, in a few steps.
 static constexpr double contact_over_axial = 0.1;
 
-double RodDef::bending_stiffness() const { return bending_share * young * 0.25 * std::numbers::pi * radius * radius * radius * radius; }
-double RodDef::yield_curvature() const { return 16 / (3 * std::numbers::pi) * yield_strain / radius; }
-double RodDef::twisting_stiffness() const { return bending_stiffness() / (1 + poisson); }
+double RodDef::bending_stiffness() const {
+    return bending_share * young * 0.25 * std::numbers::pi * radius * radius * radius * radius;
+}
+double RodDef::yield_curvature() const {
+    return 16 / (3 * std::numbers::pi) * yield_strain / radius;
+}
+double RodDef::twisting_stiffness() const {
+    return bending_stiffness() / (1 + poisson);
+}
 double RodDef::axial_stiffness(double link) const {
     if (axial_over_bending > 0) return axial_over_bending * bending_stiffness() / (link * link);
     const double shorter = std::max(1.0, 0.5 * radius / link);  // than where it would stretch rather than bend
     return young * std::numbers::pi * radius * radius * shorter * shorter;
 }
-double RodDef::most_pull() const { return most_strain * young * std::numbers::pi * radius * radius; }
-// Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a hundredth of its
-// thickness.
-double RodDef::contact_stiffness(double link) const { return 10 * axial_stiffness(link) / (2 * radius); }
-double RodDef::mass_per_length() const { return density * std::numbers::pi * radius * radius; }
+double RodDef::most_pull() const {
+    return most_strain * young * std::numbers::pi * radius * radius;
+}
+// Ten times what a thickness of it gives: a thread that is pulled until it is a tenth longer is pressed in by a
+// hundredth of its thickness.
+double RodDef::contact_stiffness(double link) const {
+    return 10 * axial_stiffness(link) / (2 * radius);
+}
+double RodDef::mass_per_length() const {
+    return density * std::numbers::pi * radius * radius;
+}
 
 Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     now_.nodes = std::move(nodes);
@@ -30,7 +42,8 @@ Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k) rest_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
     natural_.assign(now_.nodes.size(), 0);
     measure(now_.nodes, links_);
-    for (std::size_t i = 1; i < rest_.size() && def_.keeps_shape; ++i) natural_[i] = (links_[i].along - links_[i - 1].along).norm();
+    for (std::size_t i = 1; i < rest_.size() && def_.keeps_shape; ++i)
+        natural_[i] = (links_[i].along - links_[i - 1].along).norm();
     resize();
     const Vec3 first = (now_.nodes[1] - now_.nodes[0]).normalized();
     now_.directors[0] = first.unitOrthogonal();
@@ -47,7 +60,8 @@ void Rod::resize() {
         for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * l * def_.mass_per_length();
         // From the middle of the first link to that of the last: links themselves do not twist.
         if (k > 0) twisted_length_ += 0.5 * (rest_[k - 1] + l);
-        // A billionth of a bend's stiffness keeps what nothing holds from being nought, and moves nothing: it is against the last iterate.
+        // A billionth of a bend's stiffness keeps what nothing holds from being nought, and moves nothing: it is
+        // against the last iterate.
         softest_ = std::max(softest_, 1e-9 * def_.bending_stiffness() / (l * l * l));
         stiffest_ = std::max(stiffest_, def_.axial_stiffness(l) / l);
     }
@@ -68,7 +82,8 @@ void Rod::split(std::size_t link, double share) {
 
 void Rod::leave_out(std::size_t first, std::size_t second) {
     const auto from = static_cast<std::ptrdiff_t>(first) + 1, to = static_cast<std::ptrdiff_t>(second);
-    for (auto* of_nodes : {&now_.nodes, &now_.velocity}) of_nodes->erase(of_nodes->begin() + from, of_nodes->begin() + to);
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity})
+        of_nodes->erase(of_nodes->begin() + from, of_nodes->begin() + to);
     natural_.erase(natural_.begin() + from, natural_.begin() + to);
     for (auto* of_links : {&rest_, &now_.tension}) {
         (*of_links)[first] = 0;
@@ -86,14 +101,20 @@ void Rod::hand_on_natural_bend(std::size_t node) {
 void Rod::join_at(std::size_t node) {
     if (def_.yield_strain > 0) hand_on_natural_bend(node);
     rest_[node - 1] += rest_[node];
-    for (auto* of_nodes : {&now_.nodes, &now_.velocity}) of_nodes->erase(of_nodes->begin() + static_cast<std::ptrdiff_t>(node));
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity})
+        of_nodes->erase(of_nodes->begin() + static_cast<std::ptrdiff_t>(node));
     natural_.erase(natural_.begin() + static_cast<std::ptrdiff_t>(node));
-    for (auto* of_links : {&rest_, &now_.tension}) of_links->erase(of_links->begin() + static_cast<std::ptrdiff_t>(node));
+    for (auto* of_links : {&rest_, &now_.tension})
+        of_links->erase(of_links->begin() + static_cast<std::ptrdiff_t>(node));
 }
 
 void Rod::reserve(std::size_t links) {
-    for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_, &newton_, &spread_, &trial_}) of_nodes->reserve(links + 1);
-    for (auto* of_links : {&rest_, &mass_, &inert_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_}) of_links->reserve(links + 1);
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_,
+                           &newton_, &spread_, &trial_})
+        of_nodes->reserve(links + 1);
+    for (auto* of_links :
+         {&rest_, &mass_, &inert_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_})
+        of_links->reserve(links + 1);
     held_.reserve(links + 1);
     for (auto* measured : {&links_, &tried_}) measured->reserve(links);
 }
@@ -123,11 +144,14 @@ double Rod::largest_turn() const {
 void Rod::foresee_tensions() {
     foreseen_.resize(rest_.size());
     for (std::size_t k = 0; k < rest_.size(); ++k)
-        foreseen_[k] = is_cut(k) ? 0 : def_.axial_stiffness(rest_[k]) * ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_[k] - 1);
+        foreseen_[k] = is_cut(k)
+                           ? 0
+                           : def_.axial_stiffness(rest_[k]) *
+                                 ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_[k] - 1);
 }
 
-// Into trial_: nodes along the step, with links as long as it foresees: turning stretches them to second order, and so stiff are they that
-// nothing else could be seen in the energy.
+// Into trial_: nodes along the step, with links as long as it foresees: turning stretches them to second order, and so
+// stiff are they that nothing else could be seen in the energy.
 void Rod::try_share(double share) {
     trial_.resize(now_.nodes.size());
     lengths_.resize(rest_.size());
@@ -165,8 +189,8 @@ double Rod::go() {
     return 0;
 }
 
-// Moves nodes as little as possible until links have these lengths: Newton's method on all of them together, two rounds, of which
-// each squares the error.
+// Moves nodes as little as possible until links have these lengths: Newton's method on all of them together, two
+// rounds, of which each squares the error.
 void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
     const std::size_t n = lengths.size();
     for (auto* of_links : {&pivot_, &upper_, &shorten_}) of_links->resize(n);
@@ -181,11 +205,12 @@ void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
             upper_[k - 1] = is_cut(k - 1) || is_cut(k) ? 0 : -gives(k) * tried_[k - 1].along.dot(tried_[k].along);
             const double factor = upper_[k - 1] / pivot_[k - 1];
             pivot_[k] -= factor * upper_[k - 1], shorten_[k] -= factor * shorten_[k - 1];
-            // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a millionth of
-            // the others, which are about one; what then moves too far no energy accepts.
+            // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a
+            // millionth of the others, which are about one; what then moves too far no energy accepts.
             pivot_[k] = std::max(pivot_[k], 1e-6);
         }
-        for (std::size_t k = n; k-- > 0;) shorten_[k] = (shorten_[k] - (k + 1 < n ? upper_[k] * shorten_[k + 1] : 0)) / pivot_[k];
+        for (std::size_t k = n; k-- > 0;)
+            shorten_[k] = (shorten_[k] - (k + 1 < n ? upper_[k] * shorten_[k + 1] : 0)) / pivot_[k];
         for (std::size_t k = 0; k < n; ++k) {
             x[k] += gives(k) * shorten_[k] * tried_[k].along;
             x[k + 1] -= gives(k + 1) * shorten_[k] * tried_[k].along;
@@ -207,14 +232,15 @@ bool Rod::foresaw_tensions() {
     bool so = true;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double now = tension(static_cast<int>(k));
-        so = so && (is_cut(k) || std::abs(now - now_.tension[k]) < enough * def_.bending_stiffness() / (rest_[k] * rest_[k]));
+        so = so &&
+             (is_cut(k) || std::abs(now - now_.tension[k]) < enough * def_.bending_stiffness() / (rest_[k] * rest_[k]));
         now_.tension[k] = now;
     }
     return so;
 }
 
-// What lies between two held nodes starts with as much of their moves as it is near them; what lies beyond the first or the last
-// follows its leader, every link as long as it was.
+// What lies between two held nodes starts with as much of their moves as it is near them; what lies beyond the first or
+// the last follows its leader, every link as long as it was.
 void Rod::spread_between_held(std::vector<Vec3>& x) const {
     const auto is_held = [&](std::size_t i) { return held_[i] != 0; };
     const std::size_t n = x.size();
@@ -238,7 +264,8 @@ void Rod::spread_between_held(std::vector<Vec3>& x) const {
     for (std::size_t i = before + 1; i < n; ++i) follow(i, i - 1);
 }
 
-// A step too large for Newton's method is taken in halves, those in halves again: what it left is no place to go on from.
+// A step too large for Newton's method is taken in halves, those in halves again: what it left is no place to go on
+// from.
 RodReport Rod::step(const RodInput& input, double seconds, int most) {
     const RodReport report = step_in_parts(input, seconds, most, 4);
     take_set();
@@ -284,12 +311,15 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
 void Rod::begin(const RodInput& input, double seconds) {
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
-    // Drag of the step's end is one more square about where the node was: the two together are one about a place between.
+    // Drag of the step's end is one more square about where the node was: the two together are one about a place
+    // between.
     const double with_drag = def_.halting_time > 0 ? 1 + seconds / def_.halting_time : 1;
     inertia_ = seconds > 0 && def_.density > 0 ? with_drag / (seconds * seconds) : 0;
     turn_ = input.turn;
-    if (input.asleep.empty()) held_.assign(now_.nodes.size(), 0);
-    else held_.assign(input.asleep.begin(), input.asleep.end());
+    if (input.asleep.empty())
+        held_.assign(now_.nodes.size(), 0);
+    else
+        held_.assign(input.asleep.begin(), input.asleep.end());
     for (const Hold& hold : input.holds) held_[static_cast<std::size_t>(hold.node)] = 1;
     find_inert();
     loads_.resize(now_.nodes.size());
@@ -313,7 +343,8 @@ void Rod::find_inert() {
     std::size_t first = 0;
     for (std::size_t i = 0; i < mass_.size(); ++i) {
         if (i < rest_.size() && !is_cut(i)) continue;
-        const bool whole = i - first == rest_.size(), held = std::find(held_.data() + first, held_.data() + i + 1, 1) != held_.data() + i + 1;
+        const bool whole = i - first == rest_.size(),
+                   held = std::find(held_.data() + first, held_.data() + i + 1, 1) != held_.data() + i + 1;
         if (!whole && !held) std::copy(mass_.data() + first, mass_.data() + i + 1, inert_.data() + first);
         first = i + 1;
     }
@@ -321,7 +352,8 @@ void Rod::find_inert() {
 
 void Rod::lead(std::span<const Hold> targets) {
     due_.assign(now_.nodes.size(), Vec3::Zero());
-    for (const Hold& hold : targets) due_[static_cast<std::size_t>(hold.node)] = hold.target - now_.nodes[static_cast<std::size_t>(hold.node)];
+    for (const Hold& hold : targets)
+        due_[static_cast<std::size_t>(hold.node)] = hold.target - now_.nodes[static_cast<std::size_t>(hold.node)];
 }
 
 bool Rod::is_settled(RodReport& report) {
@@ -337,8 +369,8 @@ double Rod::improve() {
     return go();
 }
 
-// Nothing of how forces turn with the nodes but what stiffens: pressed by others a rod balances in many shapes in which it alone would
-// not.
+// Nothing of how forces turn with the nodes but what stiffens: pressed by others a rod balances in many shapes in which
+// it alone would not.
 void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     lead(targets);
     assemble(Keep::positive, pairs, rolling);
@@ -359,12 +391,14 @@ double Rod::share_within(double most) {
     double share = 1;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         const double now = tension(static_cast<int>(k)), then = foreseen_[k];
-        if (std::abs(then) > most && std::abs(then) > std::abs(now)) share = std::min(share, std::max(0.0, most - std::abs(now)) / std::abs(then - now));
+        if (std::abs(then) > most && std::abs(then) > std::abs(now))
+            share = std::min(share, std::max(0.0, most - std::abs(now)) / std::abs(then - now));
     }
     return share;
 }
 
-// Whether links at `x` are no longer than they may be, or are: a kink that is pulled straight turns farther than its tensions foresee.
+// Whether links at `x` are no longer than they may be, or are: a kink that is pulled straight turns farther than its
+// tensions foresee.
 bool Rod::pulls_within(const std::vector<Vec3>& x) const {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
         if (is_cut(k)) continue;
@@ -404,7 +438,8 @@ void Rod::take_set() {
     if (def_.yield_strain == 0) return;
     measure(now_.nodes, links_);
     for (std::size_t i = 1; i < rest_.size(); ++i) {
-        const double springs = 0.5 * (rest_[i - 1] + rest_[i]) * def_.yield_curvature(), bend = (links_[i].along - links_[i - 1].along).norm();
+        const double springs = 0.5 * (rest_[i - 1] + rest_[i]) * def_.yield_curvature(),
+                     bend = (links_[i].along - links_[i - 1].along).norm();
         natural_[i] = std::clamp(natural_[i], std::max(0.0, bend - springs), bend + springs);
     }
 }
@@ -419,6 +454,8 @@ double Rod::tension(int link) const {
     return is_cut(k) ? 0 : def_.axial_stiffness(rest_[k]) * ((now_.nodes[k + 1] - now_.nodes[k]).norm() / rest_[k] - 1);
 }
 
-Vec3 Rod::hold_force(int node) const { return -force_[static_cast<std::size_t>(node)]; }
+Vec3 Rod::hold_force(int node) const {
+    return -force_[static_cast<std::size_t>(node)];
+}
 
 }  // namespace sim::thread

@@ -15,12 +15,14 @@ Vec3 Rod::from_axis(const Touch& touch, const Vec3& x) const {
 // Augmented Lagrangian: nothing where it is open.
 Rod::Pressed Rod::pressed(const Touch& touch, const Vec3& x) const {
     const Vec3 away = from_axis(touch, x), moved = x - touch.anchor;
-    const double distance = away.norm(), thickness = bodies_[static_cast<std::size_t>(touch.body)].to.radius + def_.radius;
+    const double distance = away.norm(),
+                 thickness = bodies_[static_cast<std::size_t>(touch.body)].to.radius + def_.radius;
     const Vec3 normal = away / distance;
     return {std::max(0.0, touch.push + stiff_ * (thickness - distance)), normal, moved - moved.dot(normal) * normal};
 }
 
-// Nodes within a diameter of a body. A contact that was there before keeps its push and its anchor, which goes with the body.
+// Nodes within a diameter of a body. A contact that was there before keeps its push and its anchor, which goes with the
+// body.
 void Rod::find_touches(std::span<const MovingCapsule> bodies) {
     bodies_.assign(bodies.begin(), bodies.end());
     std::vector<Touch> before = std::move(now_.touches);
@@ -30,7 +32,9 @@ void Rod::find_touches(std::span<const MovingCapsule> bodies) {
             Touch touch{static_cast<int>(i), static_cast<int>(b), 0, now_.nodes[i]};
             const Vec3 away = from_axis(touch, now_.nodes[i]);
             if (away.norm() > bodies_[b].to.radius + 3 * def_.radius) continue;
-            const auto known = std::find_if(before.begin(), before.end(), [&](const Touch& t) { return t.node == touch.node && t.body == touch.body; });
+            const auto known = std::find_if(before.begin(), before.end(), [&](const Touch& t) {
+                return t.node == touch.node && t.body == touch.body;
+            });
             if (known != before.end()) touch = *known, touch.anchor += bodies_[b].to.a - bodies_[b].from.a;
             now_.touches.push_back(touch);
         }
@@ -45,7 +49,8 @@ void Rod::add_contact() {
         if (push == 0) continue;
         const Block across = Block::Identity() - normal * normal.transpose();
         force_[i] += push * normal;
-        // Where the body curves away from under the node the push turns with it; that would make the matrix not positive.
+        // Where the body curves away from under the node the push turns with it; that would make the matrix not
+        // positive.
         matrix_.add(i, i, stiff_ * normal * normal.transpose());
         if (stiff_ * slip.norm() <= touch.limit) {
             force_[i] -= stiff_ * slip;

@@ -7,10 +7,13 @@ namespace sim::thread {
 
 using Block = ChainMatrix::Block;
 
-// What a bend at a node between links a and b is worth: B over the thread between their middles, for half the square of the
-// difference of their tangents. That is twice the sine of half their angle, which makes the curvature that of the circle through
-// three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error. Nothing bends at a cut.
-static double bend_stiffness(const RodDef& def, double a, double b) { return a > 0 && b > 0 ? 2 * def.bending_stiffness() / (a + b) : 0; }
+// What a bend at a node between links a and b is worth: B over the thread between their middles, for half the square of
+// the difference of their tangents. That is twice the sine of half their angle, which makes the curvature that of the
+// circle through three nodes; the tangent of half the angle (Bergou et al. 2008, eq. 1) has five times the error.
+// Nothing bends at a cut.
+static double bend_stiffness(const RodDef& def, double a, double b) {
+    return a > 0 && b > 0 ? 2 * def.bending_stiffness() / (a + b) : 0;
+}
 
 void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
     links.resize(x.size() - 1);
@@ -62,8 +65,11 @@ void Rod::add_stretch(Keep keep) {
     }
 }
 
-// What share of a bend is more than the natural one. A straight one does not know where to; it is left a tenth of it to find out.
-static double excess(double natural, double bend) { return natural > 0 ? 1 - natural / std::max(bend, 0.1 * natural) : 1; }
+// What share of a bend is more than the natural one. A straight one does not know where to; it is left a tenth of it to
+// find out.
+static double excess(double natural, double bend) {
+    return natural > 0 ? 1 - natural / std::max(bend, 0.1 * natural) : 1;
+}
 
 // With a natural bend the stiffness is that without one, which is no less.
 void Rod::add_bending(Keep keep) {
@@ -86,7 +92,8 @@ void Rod::add_bending(Keep keep) {
 // Second derivative of the bend between a link and the next by their vectors.
 Block Rod::cross(std::size_t link) const {
     const Link &a = links_[link], &b = links_[link + 1];
-    const double s = -bend_stiffness(def_, rest_[link], rest_[link + 1]) / (a.length * b.length), c = a.along.dot(b.along);
+    const double s = -bend_stiffness(def_, rest_[link], rest_[link + 1]) / (a.length * b.length),
+                 c = a.along.dot(b.along);
     const Vec3 of_a = -s * (a.along - c * b.along), of_b = -s * b.along;
     Block block = a.along * of_a.transpose() + b.along * of_b.transpose();
     block.diagonal().array() += s;
@@ -123,13 +130,15 @@ void Rod::spread_to_nodes() {
 // Each shared among the nodes of its points.
 void Rod::add_pairs(std::span<const Pair> pairs) {
     for (const Pair& pair : pairs)
-        for (std::size_t k = 0; k < static_cast<std::size_t>(pair.nodes); ++k) force_[static_cast<std::size_t>(pair.node[k])] += pair.weight[k] * pair.force;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(pair.nodes); ++k)
+            force_[static_cast<std::size_t>(pair.node[k])] += pair.weight[k] * pair.force;
 }
 
 void Rod::add_rolling(std::span<const Rolling> rolling) {
     for (const Rolling& roll : rolling) {
         const std::size_t i = static_cast<std::size_t>(roll.link);
-        const Block turning = roll.moment / (links_[i].length * links_[i].length) * roll.normal * roll.normal.transpose();
+        const Block turning =
+            roll.moment / (links_[i].length * links_[i].length) * roll.normal * roll.normal.transpose();
         matrix_.add(i, i, turning), matrix_.add(i, i + 1, -turning), matrix_.add(i + 1, i + 1, turning);
     }
 }
@@ -137,7 +146,8 @@ void Rod::add_rolling(std::span<const Rolling> rolling) {
 void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolling> rolling) {
     matrix_.clear(now_.nodes.size());
     measure(now_.nodes, links_);
-    for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] = loads_[i] - inertia_ * inert_[i] * (now_.nodes[i] - aim_[i]);
+    for (std::size_t i = 0; i < now_.nodes.size(); ++i)
+        force_[i] = loads_[i] - inertia_ * inert_[i] * (now_.nodes[i] - aim_[i]);
     add_stretch(keep);
     add_bending(keep);
     spread_to_nodes();
@@ -158,10 +168,11 @@ void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolli
     }
 }
 
-// Where the whole stiffness is not positive, as on the way past a buckling, as little as will do is added to all of its diagonal
-// (Levenberg), at last nothing but Gauss and Newton's part is kept.
+// Where the whole stiffness is not positive, as on the way past a buckling, as little as will do is added to all of its
+// diagonal (Levenberg), at last nothing but Gauss and Newton's part is kept.
 Rod::Keep Rod::factor() {
-    constexpr double least = 1e4, most = 1e9;  // of what is added anyway: a hundred-thousandth of a bend's stiffness to all of it
+    constexpr double least = 1e4,
+                     most = 1e9;  // of what is added anyway: a hundred-thousandth of a bend's stiffness to all of it
     if (matrix_.factor()) return Keep::whole;
     for (double more = least; more <= most; more *= 10)
         if (matrix_.factor(more * softest_)) return Keep::positive;
@@ -185,8 +196,10 @@ void Rod::find_newton_step() {
     spread_ = gradient_;
     matrix_.solve(spread_);
     double through = 0, own = 0;
-    for (std::size_t i = 0; i < newton_.size(); ++i) through += gradient_[i].dot(newton_[i]), own += gradient_[i].dot(spread_[i]);
-    const double twisting = def_.twisting_stiffness() / twisted_length_, share = twisting * through / (1 + twisting * own);
+    for (std::size_t i = 0; i < newton_.size(); ++i)
+        through += gradient_[i].dot(newton_[i]), own += gradient_[i].dot(spread_[i]);
+    const double twisting = def_.twisting_stiffness() / twisted_length_,
+                 share = twisting * through / (1 + twisting * own);
     for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] -= share * spread_[i];
 }
 

@@ -1,14 +1,16 @@
+#include <cmath>
+#include <numbers>
+
 #include "sim/geometry/portable_math.hpp"
 #include "sim/thread/bend.hpp"
 #include "sim/thread/rod.hpp"
 
-#include <cmath>
-#include <numbers>
-
 namespace sim::thread {
 
 // A vector across `from`, turned by the least rotation that brings `from` to `to`; both of unit length.
-static Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) { return v - v.dot(to) / (1 + from.dot(to)) * (from + to); }
+static Vec3 transported(const Vec3& v, const Vec3& from, const Vec3& to) {
+    return v - v.dot(to) / (1 + from.dot(to)) * (from + to);
+}
 
 // A vector across the first link, carried along the rod to the last.
 Vec3 Rod::along_rod(Vec3 across, const std::vector<Vec3>& x) const {
@@ -21,8 +23,8 @@ Vec3 Rod::along_rod(Vec3 across, const std::vector<Vec3>& x) const {
     return across;
 }
 
-// Directors are carried in time with the links at either end; what they then differ by along the rod is the twist that the
-// rod's writhe took off.
+// Directors are carried in time with the links at either end; what they then differ by along the rod is the twist that
+// the rod's writhe took off.
 std::array<Vec3, 2> Rod::directors_at(const std::vector<Vec3>& x) const {
     const std::size_t n = x.size() - 1;
     const auto carried = [&](const Vec3& director, std::size_t k) {
@@ -41,7 +43,9 @@ double Rod::twist_at(const std::vector<Vec3>& x) const {
     return *turn_ + angle - whole * std::round((angle - now_.turned) / whole);
 }
 
-double Rod::twist_moment() const { return def_.twisting_stiffness() / twisted_length_ * now_.twist; }
+double Rod::twist_moment() const {
+    return def_.twisting_stiffness() / twisted_length_ * now_.twist;
+}
 
 void Rod::add_twist() {
     for (std::size_t i = 1; i + 1 < now_.nodes.size(); ++i) {

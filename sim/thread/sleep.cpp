@@ -5,18 +5,27 @@
 #include "sim/geometry/at.hpp"
 #include "sim/thread/stages.hpp"
 
-// Of several pieces of an elastic thread, one that no tool holds and that has been still for a while sleeps: it is not solved, and holds walls as it did,
-// until a tool, another piece, a wall or what holds it stirs it. So a stitch that is tied costs next to nothing while the next is made, and cannot creep.
-// A thread in one piece is the one that is worked with, and does not.
+// Of several pieces of an elastic thread, one that no tool holds and that has been still for a while sleeps: it is not
+// solved, and holds walls as it did, until a tool, another piece, a wall or what holds it stirs it. So a stitch that is
+// tied costs next to nothing while the next is made, and cannot creep. A thread in one piece is the one that is worked
+// with, and does not.
 namespace sim::thread {
 
 namespace {
 
-constexpr int watch = 100;  // [ticks]: what falls asleep has gone less far in so many, where it presses on something and elsewhere
-double still(const State& state) { return 0.25 * state.def.radius; }
-double still_in_air(const State& state) { return 2 * state.def.radius; }
-// And what wakes it. Walls are some 100 N/m soft: one that has gone so far, against what holds it, has a millinewton more or less to bear.
-double stirred(const State& state) { return 0.25 * state.def.radius; }
+constexpr int watch =
+    100;  // [ticks]: what falls asleep has gone less far in so many, where it presses on something and elsewhere
+double still(const State& state) {
+    return 0.25 * state.def.radius;
+}
+double still_in_air(const State& state) {
+    return 2 * state.def.radius;
+}
+// And what wakes it. Walls are some 100 N/m soft: one that has gone so far, against what holds it, has a millinewton
+// more or less to bear.
+double stirred(const State& state) {
+    return 0.25 * state.def.radius;
+}
 
 Piece piece_at(const State& state, int node) {
     Piece piece{node, node};
@@ -25,10 +34,13 @@ Piece piece_at(const State& state, int node) {
     return piece;
 }
 
-bool is_of(const Piece& piece, const Row& row) { return row.link >= piece.first && row.link < piece.last; }
+bool is_of(const Piece& piece, const Row& row) {
+    return row.link >= piece.first && row.link < piece.last;
+}
 
 geometry::Triangle wall_of(const State& state, const Row& row) {
-    return row.against == Against::surface ? (*state.input.surface)[row.other] : geometry::Triangle{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    return row.against == Against::surface ? (*state.input.surface)[row.other]
+                                           : geometry::Triangle{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 }
 
 void fall_asleep(State& state, const Piece& piece) {
@@ -44,7 +56,8 @@ void wake(State& state, int node) {
     if (!state.asleep[at(node)]) return;
     const Piece piece = piece_at(state, node);
     std::fill(state.asleep.begin() + piece.first, state.asleep.begin() + piece.last + 1, 0);
-    std::fill(state.watched.begin() + piece.first, state.watched.begin() + piece.last + 1, Vec3::Constant(std::numeric_limits<double>::infinity()));
+    std::fill(state.watched.begin() + piece.first, state.watched.begin() + piece.last + 1,
+              Vec3::Constant(std::numeric_limits<double>::infinity()));
     for (const SleepingPress& press : state.sleeping)
         if (is_of(piece, press.row)) state.pressed.push_back(press.row);
     std::erase_if(state.sleeping, [&](const SleepingPress& press) { return is_of(piece, press.row); });
@@ -54,7 +67,8 @@ void wake(State& state, int node) {
 bool has_stirred(const State& state, const SleepingPress& press) {
     const geometry::Triangle now = wall_of(state, press.row), &then = press.wall;
     const double most = stirred(state);
-    return (now.a - then.a).squaredNorm() > most * most || (now.b - then.b).squaredNorm() > most * most || (now.c - then.c).squaredNorm() > most * most;
+    return (now.a - then.a).squaredNorm() > most * most || (now.b - then.b).squaredNorm() > most * most ||
+           (now.c - then.c).squaredNorm() > most * most;
 }
 
 bool is_in_hand(const State& state, const Piece& piece) {
@@ -66,11 +80,14 @@ bool is_in_hand(const State& state, const Piece& piece) {
 }
 
 bool is_still(const State& state, const Piece& piece) {
-    const auto went_less = [&](int node, double most) { return (state.nodes[at(node)] - state.watched[at(node)]).squaredNorm() <= most * most; };
+    const auto went_less = [&](int node, double most) {
+        return (state.nodes[at(node)] - state.watched[at(node)]).squaredNorm() <= most * most;
+    };
     for (int i = piece.first; i <= piece.last; ++i)
         if (!went_less(i, still_in_air(state))) return false;
-    return std::all_of(state.pressed.begin(), state.pressed.end(),
-        [&](const Row& row) { return !is_of(piece, row) || (went_less(row.link, still(state)) && went_less(row.link + 1, still(state))); });
+    return std::all_of(state.pressed.begin(), state.pressed.end(), [&](const Row& row) {
+        return !is_of(piece, row) || (went_less(row.link, still(state)) && went_less(row.link + 1, still(state)));
+    });
 }
 
 void wake_what_is_touched(State& state) {
@@ -79,7 +96,8 @@ void wake_what_is_touched(State& state) {
         if (row.against == Against::thread && sleeps(state, row.other)) wake(state, row.other);
     }
     for (const Contact& c : state.contacts)
-        if (c.against == Against::surface && c.gap < c.thickness - stirred(state) && sleeps(state, c.link)) wake(state, c.link);
+        if (c.against == Against::surface && c.gap < c.thickness - stirred(state) && sleeps(state, c.link))
+            wake(state, c.link);
 }
 
 }  // namespace
@@ -89,7 +107,9 @@ void hold_what_sleeps(State& state) {
         if (state.asleep[i]) state.inverse_mass[i] = 0;
 }
 
-void wake_at(State& state, std::size_t link) { wake(state, static_cast<int>(link)); }
+void wake_at(State& state, std::size_t link) {
+    wake(state, static_cast<int>(link));
+}
 
 void wake_what_is_moved(State& state) {
     const bool is_wall_new = std::isinf(state.input.surface_moved);  // its triangles have other numbers
@@ -97,7 +117,8 @@ void wake_what_is_moved(State& state) {
         if ((hold.target - state.nodes[at(hold.node)]).norm() > stirred(state)) wake(state, hold.node);
     state.found.clear();
     for (const SleepingPress& press : state.sleeping)
-        if (press.row.against == Against::surface && (is_wall_new || has_stirred(state, press))) state.found.push_back(press.row.link);
+        if (press.row.against == Against::surface && (is_wall_new || has_stirred(state, press)))
+            state.found.push_back(press.row.link);
     for (const int link : state.found) wake(state, link);
 }
 
@@ -108,7 +129,8 @@ void watch_over_pieces(State& state) {
     for (int first = 0; first <= state.links();) {
         const Piece piece = piece_at(state, first);
         const bool is_whole = piece.last - piece.first == state.links();
-        if (!is_whole && !state.asleep[at(first)] && !is_in_hand(state, piece) && is_still(state, piece)) fall_asleep(state, piece);
+        if (!is_whole && !state.asleep[at(first)] && !is_in_hand(state, piece) && is_still(state, piece))
+            fall_asleep(state, piece);
         first = piece.last + 1;
     }
     state.watched = state.nodes;

@@ -5,13 +5,17 @@
 #include "sim/thread/stages.hpp"
 #include "sim/thread/tail.hpp"
 
-// A strand that is drawn over walls, its other end free, follows itself: each node goes where the next one was. Least motion would rather draw it into the wall
-// at one corner than all that follows round the next.
+// A strand that is drawn over walls, its other end free, follows itself: each node goes where the next one was. Least
+// motion would rather draw it into the wall at one corner than all that follows round the next.
 namespace sim::thread {
 
-// Every piece is led by one tool at most, away from what follows. What lies on itself may be knotted, and a knot comes along as a whole.
+// Every piece is led by one tool at most, away from what follows. What lies on itself may be knotted, and a knot comes
+// along as a whole.
 bool may_slide(const State& state) {
-    const auto touches = [&](Against what) { return std::any_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return row.against == what && is_touched(state, row); }); };
+    const auto touches = [&](Against what) {
+        return std::any_of(state.rows.begin(), state.rows.end(),
+                           [&](const Row& row) { return row.against == what && is_touched(state, row); });
+    };
     if (state.rod || !touches(Against::surface) || touches(Against::thread)) return false;
     bool is_led = false;
     std::size_t last = state.nodes.size();  // that is held in this piece
@@ -24,14 +28,17 @@ bool may_slide(const State& state) {
     for (std::size_t h = 0; h < state.hold_from.size(); ++h) {
         const auto i = at(state.input.holds[h].node);
         const Vec3 way = state.input.holds[h].target - state.hold_from[h];
-        const auto pulls = [&](std::size_t follower) { return state.inverse_mass[follower] == 0 || way.dot(state.nodes[i] - state.nodes[follower]) >= 0; };
+        const auto pulls = [&](std::size_t follower) {
+            return state.inverse_mass[follower] == 0 || way.dot(state.nodes[i] - state.nodes[follower]) >= 0;
+        };
         if ((!state.is_first(i) && !pulls(i - 1)) || (!state.is_last(i) && !pulls(i + 1))) return false;
         is_led = is_led || !way.isZero(0);
     }
     return is_led;
 }
 
-// What rims give back one step draws the tail ahead, and takes up the next. Asked to follow by half the way all the time ten bites let half as much through; by a twentieth from the first, slack is dragged along.
+// What rims give back one step draws the tail ahead, and takes up the next. Asked to follow by half the way all the
+// time ten bites let half as much through; by a twentieth from the first, slack is dragged along.
 void note_whether_it_slides(State& state) {
     const double followed = state.slides ? 0.05 : 0.5;  // of the way
     bool is_led = false, follows = true;
@@ -58,14 +65,16 @@ static void follow_along(State& state) {
         const std::size_t last = last_rubbed(state, tail);
         for (std::size_t node = tail.held; node != last; node = tail.next(node)) {
             const std::size_t to = tail.next(node);
-            state.nodes[to] = along_itself(state.nodes[node], state.before[node], state.before[to], state.rest[tail.link_to(to)]);
+            state.nodes[to] =
+                along_itself(state.nodes[node], state.before[node], state.before[to], state.rest[tail.link_to(to)]);
         }
     });
     follow_leader(state);
 }
 
 double share_of_slide(const State& state, double way) {
-    constexpr double for_following = 0.3;  // of the bound: a node at a rim is pushed as well, by as much as all rims before it give back
+    constexpr double for_following =
+        0.3;  // of the bound: a node at a rim is pushed as well, by as much as all rims before it give back
     double share = 1;
     for (std::size_t i = 0; i < state.nodes.size(); ++i)
         if (state.inverse_mass[i] > 0) share = std::min(share, for_following * state.bound[i] / way);

@@ -3,14 +3,17 @@
 
 namespace sim::thread {
 
-static Vec3 mix(const Vec3& a, const Vec3& b, double t) { return a + t * (b - a); }
+static Vec3 mix(const Vec3& a, const Vec3& b, double t) {
+    return a + t * (b - a);
+}
 
 void place_capsules(State& state) {
     state.capsules.resize(state.input.capsules.size());
     for (std::size_t c = 0; c < state.capsules.size(); ++c) {
         const MovingCapsule& moving = state.input.capsules[c];
         const double progress = state.progress[at(moving.owner + 1)];
-        state.capsules[c] = {mix(moving.from.a, moving.to.a, progress), mix(moving.from.b, moving.to.b, progress), moving.from.radius};
+        state.capsules[c] = {mix(moving.from.a, moving.to.a, progress), mix(moving.from.b, moving.to.b, progress),
+                             moving.from.radius};
     }
 }
 
@@ -87,7 +90,8 @@ static double try_answer(State& state, double way, Answer answer, Effort effort)
 
 static double largest_move(const State& state) {
     double moved = largest_capsule_move(state);
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) moved = std::max(moved, (state.nodes[i] - state.before[i]).norm());
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+        moved = std::max(moved, (state.nodes[i] - state.before[i]).norm());
     return moved;
 }
 

@@ -27,17 +27,22 @@ static void find_turned(State& state) {
         const auto towards = [&](int other) { return Vec3((state.nodes[at(other)] - node).normalized()); };
         const Row* nearest = nullptr;
         for (const Row& row : state.rows)
-            if (row.against == Against::surface && (row.link == i || row.link == i - 1) && (!nearest || row.distance < nearest->distance)) nearest = &row;
+            if (row.against == Against::surface && (row.link == i || row.link == i - 1) &&
+                (!nearest || row.distance < nearest->distance))
+                nearest = &row;
         if (nearest && nearest->distance < 1.5 * nearest->thickness)
-            state.surface_forces.push_back({nearest->other, nearest->fixed, before * towards(i - 1) + after * towards(i + 1), i});
+            state.surface_forces.push_back(
+                {nearest->other, nearest->fixed, before * towards(i - 1) + after * towards(i + 1), i});
     }
 }
 
 void find_surface_forces(State& state) {
     state.surface_forces.clear();
     if (!state.input.surface) return;
-    if (state.rod) find_pressed(state);
-    else find_turned(state);
+    if (state.rod)
+        find_pressed(state);
+    else
+        find_turned(state);
 }
 
 }  // namespace sim::thread

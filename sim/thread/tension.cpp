@@ -6,10 +6,10 @@
 
 namespace sim::thread {
 
-// Follow-The-Leader has no forces. What it has is lag: how far a held node is from where its tool wants it, and how the pull was
-// passed on from link to link: by the capstan law where a strand slides along itself, else by the multipliers of the length solve (friction and bends take their
-// share). A real thread of axial stiffness EA carrying a tension of that profile would be longer by the sum of T l / EA;
-// the tension that makes this equal to the lag is the estimate.
+// Follow-The-Leader has no forces. What it has is lag: how far a held node is from where its tool wants it, and how the
+// pull was passed on from link to link: by the capstan law where a strand slides along itself, else by the multipliers
+// of the length solve (friction and bends take their share). A real thread of axial stiffness EA carrying a tension of
+// that profile would be longer by the sum of T l / EA; the tension that makes this equal to the lag is the estimate.
 static void spread(State& state, std::size_t first, int direction, double lag) {
     const std::vector<double>& profile = state.profile;
     const double at_hold = profile[first];
@@ -32,7 +32,8 @@ static void spread(State& state, std::size_t first, int direction, double lag) {
 // What slid on in this tick is held by friction, not by as much as it lags: that is what the tick could not afford.
 static double most_lag(const State& state, const Vec3& went) {
     constexpr double slid = 0.1, by_friction = 10;  // radii
-    return state.slides && went.norm() > slid * state.def.radius ? by_friction * state.def.radius : std::numeric_limits<double>::infinity();
+    return state.slides && went.norm() > slid * state.def.radius ? by_friction * state.def.radius
+                                                                 : std::numeric_limits<double>::infinity();
 }
 
 // Whether it ends free and touches nothing on its way there.
@@ -47,7 +48,8 @@ void estimate_tension(State& state) {
     if (state.slides)
         find_capstan_profile(state);
     else
-        std::transform(state.pulled.begin(), state.pulled.end(), state.profile.begin(), [](double by) { return std::max(0.0, -by); });
+        std::transform(state.pulled.begin(), state.pulled.end(), state.profile.begin(),
+                       [](double by) { return std::max(0.0, -by); });
     for (std::size_t h = 0; h < state.input.holds.size(); ++h) {
         const Hold& hold = state.input.holds[h];
         const auto i = static_cast<std::size_t>(hold.node);
@@ -55,7 +57,8 @@ void estimate_tension(State& state) {
         const double most = most_lag(state, state.nodes[i] - state.hold_from[h]);
         for (const int direction : {-1, +1}) {
             const std::size_t link = direction > 0 ? i : i - 1;
-            if (link >= state.rest.size() || state.is_cut(link) || is_loose(state, i, direction)) continue;  // no thread on this side, or none that is held
+            if (link >= state.rest.size() || state.is_cut(link) || is_loose(state, i, direction))
+                continue;  // no thread on this side, or none that is held
             const Vec3 away = state.nodes[direction > 0 ? i + 1 : i - 1] - state.nodes[i];
             spread(state, link, direction, std::min(most, -lag.dot(away) / state.rest[link]));
         }

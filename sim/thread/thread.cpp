@@ -22,7 +22,8 @@ static std::size_t most_links(const ThreadDef& def, const std::vector<double>& r
     if (def.shortest_link <= 0) return rest.size();
     double length = 0;
     for (const double link : rest) length += link;
-    return rest.size() + static_cast<std::size_t>(1.5 * length / def.shortest_link);  // none is shorter by more than the root of two
+    return rest.size() +
+           static_cast<std::size_t>(1.5 * length / def.shortest_link);  // none is shorter by more than the root of two
 }
 
 State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::span<const int> cuts)
@@ -35,9 +36,11 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::sp
       tension(rest.size(), 0.0),
       tree(static_cast<int>(most_links(def, rest))) {
     const std::size_t most = most_links(def, rest);
-    for (auto* of_nodes : {&nodes, &before, &drift, &unfinished.nodes, &carried, &forward, &coupled_move, &unit, &line, &glided}) of_nodes->reserve(most + 1);
-    for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &profile, &rubbed, &lower, &pivot, &upper, &multiplier,
-                           &pulled, &pulled_before, &weight_at, &stiff})
+    for (auto* of_nodes :
+         {&nodes, &before, &drift, &unfinished.nodes, &carried, &forward, &coupled_move, &unit, &line, &glided})
+        of_nodes->reserve(most + 1);
+    for (auto* of_links : {&rest, &arc, &least_span, &nearest, &inverse_mass, &bound, &following, &tension, &profile,
+                           &rubbed, &lower, &pivot, &upper, &multiplier, &pulled, &pulled_before, &weight_at, &stiff})
         of_links->reserve(most + 1);
     for (auto* boxes : {&audit_boxes, &audit_links}) boxes->reserve(most);
     kept.reserve(most + 1);
@@ -84,7 +87,8 @@ void State::size_for_links() {
     unit.resize(n);
     inverse_mass.assign(n + 1, 1.0);
     for (auto* of_nodes : {&bound, &weight_at}) of_nodes->assign(n + 1, 0.0);
-    for (auto* of_links : {&profile, &rubbed, &lower, &pivot, &upper, &multiplier, &pulled, &pulled_before}) of_links->assign(n, 0.0);
+    for (auto* of_links : {&profile, &rubbed, &lower, &pivot, &upper, &multiplier, &pulled, &pulled_before})
+        of_links->assign(n, 0.0);
     wraps.assign(n, {});
     tree.resize(static_cast<int>(n));
 }
@@ -95,19 +99,30 @@ struct Thread::Impl {
     State state;
 };
 
-Thread::Thread(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts) : impl_(new Impl{State(def, std::move(nodes), cuts)}) {}
-Thread::~Thread() { delete impl_; }
+Thread::Thread(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts)
+    : impl_(new Impl{State(def, std::move(nodes), cuts)}) {}
+Thread::~Thread() {
+    delete impl_;
+}
 Thread::Thread(Thread&& other) noexcept : impl_(std::exchange(other.impl_, nullptr)) {}
 Thread& Thread::operator=(Thread&& other) noexcept {
     std::swap(impl_, other.impl_);
     return *this;
 }
 
-TickReport Thread::tick(const TickInput& input) { return thread::tick(impl_->state, input); }
+TickReport Thread::tick(const TickInput& input) {
+    return thread::tick(impl_->state, input);
+}
 
-bool Thread::fit_links(std::span<int> held) { return thread::fit_links(impl_->state, held); }
-bool Thread::cut(int link, double share, std::span<int> held) { return thread::cut(impl_->state, static_cast<std::size_t>(link), share, held); }
-int Thread::most_loaded() const { return thread::most_loaded(impl_->state); }
+bool Thread::fit_links(std::span<int> held) {
+    return thread::fit_links(impl_->state, held);
+}
+bool Thread::cut(int link, double share, std::span<int> held) {
+    return thread::cut(impl_->state, static_cast<std::size_t>(link), share, held);
+}
+int Thread::most_loaded() const {
+    return thread::most_loaded(impl_->state);
+}
 
 std::vector<Piece> Thread::pieces() const {
     std::vector<Piece> pieces{{0, impl_->state.links()}};
@@ -119,11 +134,21 @@ std::vector<Piece> Thread::pieces() const {
     return pieces;
 }
 
-const ThreadDef& Thread::def() const { return impl_->state.def; }
-std::span<const Vec3> Thread::nodes() const { return impl_->state.nodes; }
-std::span<const double> Thread::rest_lengths() const { return impl_->state.rest; }
-std::span<const double> Thread::tension() const { return impl_->state.tension; }
-std::span<const SurfaceForce> Thread::surface_forces() const { return impl_->state.surface_forces; }
+const ThreadDef& Thread::def() const {
+    return impl_->state.def;
+}
+std::span<const Vec3> Thread::nodes() const {
+    return impl_->state.nodes;
+}
+std::span<const double> Thread::rest_lengths() const {
+    return impl_->state.rest;
+}
+std::span<const double> Thread::tension() const {
+    return impl_->state.tension;
+}
+std::span<const SurfaceForce> Thread::surface_forces() const {
+    return impl_->state.surface_forces;
+}
 
 void Thread::surface_room(std::span<double> rooms, std::vector<SurfaceGap>& gaps) const {
     const State& state = impl_->state;
@@ -135,17 +160,22 @@ void Thread::surface_room(std::span<double> rooms, std::vector<SurfaceGap>& gaps
         double& room = rooms[static_cast<std::size_t>(c.other)];
         const auto link = static_cast<std::size_t>(c.link);
         if (at_least < 3 * state.def.radius) {
-            const auto pair = geometry::closest_points(state.nodes[link], state.nodes[link + 1], (*state.input.surface)[c.other]);
+            const auto pair =
+                geometry::closest_points(state.nodes[link], state.nodes[link + 1], (*state.input.surface)[c.other]);
             const double gap = std::sqrt(pair.distance_squared);
-            if (gap > 0) gaps.push_back({c.other, (pair.on_a - pair.on_b) / gap, gap});
-            else room = 0;
+            if (gap > 0)
+                gaps.push_back({c.other, (pair.on_a - pair.on_b) / gap, gap});
+            else
+                room = 0;
         } else {
             room = std::min(room, at_least);
         }
     }
 }
 
-double Thread::progress(int owner) const { return impl_->state.progress[static_cast<std::size_t>(owner + 1)]; }
+double Thread::progress(int owner) const {
+    return impl_->state.progress[static_cast<std::size_t>(owner + 1)];
+}
 
 // FNV-1a over the words of everything a tick carries to the next.
 std::uint64_t Thread::hash() const {

@@ -16,7 +16,9 @@ bool is_finite(const TickInput& input) {
 }
 
 // Tools are numbered from 0; what nobody holds is -1.
-std::size_t group_of(int owner) { return static_cast<std::size_t>(owner + 1); }
+std::size_t group_of(int owner) {
+    return static_cast<std::size_t>(owner + 1);
+}
 
 std::size_t groups_of(const TickInput& input) {
     std::size_t groups = 1;
@@ -64,7 +66,8 @@ struct Movers {
 void collect_asked(State& state, const Movers& movers) {
     state.asked.clear();
     for (std::size_t h = 0; h < state.hold_from.size(); ++h)
-        if (movers.include(state.input.hold_owners[h])) state.asked.push_back(state.input.holds[h].target - state.hold_from[h]);
+        if (movers.include(state.input.hold_owners[h]))
+            state.asked.push_back(state.input.holds[h].target - state.hold_from[h]);
     state.asked_of_holds = state.asked.size();
     for (const MovingCapsule& c : state.input.capsules)
         if (movers.include(c.owner)) state.asked.insert(state.asked.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
@@ -82,32 +85,42 @@ Motion longest_asked(const State& state) {
 constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jammed thread is still asked to make
 
 // Share of the whole tick's motion that one substep may make: no node farther than its own bound, no tool part into the
-// thread by more than the thread's radius. A node is expected to go as far as in the last substep, for slack stays slack; no
-// farther than its leader while links keep their length, and by a quarter of that at least: it may come to be pulled.
+// thread by more than the thread's radius. A node is expected to go as far as in the last substep, for slack stays
+// slack; no farther than its leader while links keep their length, and by a quarter of that at least: it may come to be
+// pulled.
 double admissible_share(const State& state, const Movers& movers, const Motion& motion) {
     constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
-    constexpr double round_steel = 0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
+    constexpr double round_steel =
+        0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
     // Tools that only push may be faster than what is held; the last substep's way was of the fastest.
-    const auto expected = [&](std::size_t node) { return std::clamp(state.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds); };
+    const auto expected = [&](std::size_t node) {
+        return std::clamp(state.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds);
+    };
     double share = 1;
-    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i) share = std::min(share, for_following * state.bound[i] / expected(i));
+    for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
+        share = std::min(share, for_following * state.bound[i] / expected(i));
     for (std::size_t k = 0; k < state.wraps.size() && motion.of_holds > 0; ++k)
         if (state.wraps[k].presses) share = std::min(share, round_steel * state.rest[k] / expected(k));
-    if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen) share = unseen / motion.of_capsules;
+    if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen)
+        share = unseen / motion.of_capsules;
     for (const Contact& c : state.contacts)
-        if (c.against == Against::capsule && movers.include(state.input.capsules[static_cast<std::size_t>(c.other)].owner))
+        if (c.against == Against::capsule &&
+            movers.include(state.input.capsules[static_cast<std::size_t>(c.other)].owner))
             share = std::min(share, share_beside(state, c));
     return share;
 }
 
-// A hand that trembles or pulls harder asks for the same, one that turns or stops does not. What stands still but for rounding
-// points anywhere.
+// A hand that trembles or pulls harder asks for the same, one that turns or stops does not. What stands still but for
+// rounding points anywhere.
 bool is_much_the_same(const State& state, const std::vector<Vec3>& refused) {
     constexpr double turn = 0.25;  // [rad]
     const double still = 1e-3 * state.def.radius;
-    const auto direction = [&](const Vec3& way) -> Vec3 { return way.norm() > still ? way.stableNormalized() : Vec3::Zero(); };
-    return std::equal(state.asked.begin(), state.asked.end(), refused.begin(), refused.end(),
-                      [&](const Vec3& a, const Vec3& b) { return (direction(a) - direction(b)).squaredNorm() <= turn * turn; });
+    const auto direction = [&](const Vec3& way) -> Vec3 {
+        return way.norm() > still ? way.stableNormalized() : Vec3::Zero();
+    };
+    return std::equal(
+        state.asked.begin(), state.asked.end(), refused.begin(), refused.end(),
+        [&](const Vec3& a, const Vec3& b) { return (direction(a) - direction(b)).squaredNorm() <= turn * turn; });
 }
 
 bool waits(const State& state, Pace& pace, const Motion& motion) {
@@ -129,7 +142,8 @@ void trust_less(Pace& pace) {
     pace.trust = std::max(least_trust, pace.trust / 4);
 }
 
-// A hard step costs the same however short it is, so it too may become longer; slower, for a refused one quarters it again.
+// A hard step costs the same however short it is, so it too may become longer; slower, for a refused one quarters it
+// again.
 void trust_more(Pace& pace, bool was_easy) {
     pace.refused_in_a_row = pace.jams_in_a_row = 0;
     pace.trust = std::min(1.0, (was_easy ? 2 : 1.25) * pace.trust);
@@ -144,7 +158,8 @@ void wake(State& state) {
     }
 }
 
-// What was refused before is tried the other way; what is drawn taut over walls, where a shorter step is likelier to help, each fourth time.
+// What was refused before is tried the other way; what is drawn taut over walls, where a shorter step is likelier to
+// help, each fourth time.
 Answer next_answer(const State& state, const Pace& pace) {
     const bool second = pace.refused_in_a_row % 2 != 0, fourth = pace.refused_in_a_row % 4 == 3;
     if (!may_slide(state)) return second ? Answer::follow_the_leader : Answer::drift;
@@ -154,13 +169,19 @@ Answer next_answer(const State& state, const Pace& pace) {
 // Nothing is asked for, and all is as good as passes make it.
 bool is_at_rest(const State& state, const Motion& motion) {
     if (motion.most() > 0 || worst_stretch(state, state.nodes) > stretch_tolerance) return false;
-    // A wall that has come into the thread leaves it so little room that no single step is worth one: what counts is how deep it lies.
-    const auto is_deep = [&](const Row& row) { return row.against == Against::surface && over_limit(state, row) > 0.5; };
-    return std::all_of(state.rows.begin(), state.rows.end(), [&](const Row& row) { return over_goal(state, row, row.distance) < 1 && !is_deep(row); });
+    // A wall that has come into the thread leaves it so little room that no single step is worth one: what counts is
+    // how deep it lies.
+    const auto is_deep = [&](const Row& row) {
+        return row.against == Against::surface && over_limit(state, row) > 0.5;
+    };
+    return std::all_of(state.rows.begin(), state.rows.end(),
+                       [&](const Row& row) { return over_goal(state, row, row.distance) < 1 && !is_deep(row); });
 }
 
 // Steps so short are worked at for several ticks.
-bool creeps(const Pace& pace) { return pace.trust < 0.125; }
+bool creeps(const Pace& pace) {
+    return pace.trust < 0.125;
+}
 
 Effort effort(const Pace& pace, Answer answer) {
     constexpr int passes = 8;
@@ -189,8 +210,8 @@ double progress_of(const State& state, const Movers& movers) {
     return *std::min_element(state.progress.data() + movers.first, state.progress.data() + movers.last);
 }
 
-// Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the slack
-// around it does: that is easily found, and says nothing of how far to trust.
+// Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the
+// slack around it does: that is easily found, and says nothing of how far to trust.
 bool substep(State& state, const Movers& movers, const Motion& motion, bool jammed, TickReport& report) {
     constexpr int work_of_looking = 6, easy_work = 12;
     Pace& pace = state.paces[movers.pace];
@@ -208,7 +229,8 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
     }
     // Steps alike, no short one last: each says how the thread goes on in the next.
     const auto step_share = [&] {
-        const double left = 1 - progress_of(state, movers), most = admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust);
+        const double left = 1 - progress_of(state, movers),
+                     most = admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust);
         return motion.most() > 0 ? left / std::ceil(left / most) : 1;
     };
     const Answer answer = jammed ? Answer::keep_what_presses : is_known ? Answer::go_on : next_answer(state, pace);
@@ -216,7 +238,8 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
     if (answer == Answer::slide) share = std::min(share, share_of_slide(state, motion.most()));
     const int work_before = state.work;
     state.progress_before = state.progress;
-    for (std::size_t g = movers.first; g < movers.last; ++g) state.progress[g] = std::min(1.0, state.progress[g] + share);
+    for (std::size_t g = movers.first; g < movers.last; ++g)
+        state.progress[g] = std::min(1.0, state.progress[g] + share);
     const Substep step = attempt(state, share * motion.most(), answer, effort(pace, answer));
     if (step.accepted) {
         forget_unfinished(state);
@@ -233,8 +256,8 @@ bool substep(State& state, const Movers& movers, const Motion& motion, bool jamm
     return step.accepted;
 }
 
-// Substep by substep until these tools are where they are asked to be, the thread is jammed, or the tick has cost what it
-// may: what is left then is lag, not a late tick.
+// Substep by substep until these tools are where they are asked to be, the thread is jammed, or the tick has cost what
+// it may: what is left then is lag, not a late tick.
 void move(State& state, const Movers& movers, int may_cost, TickReport& report) {
     constexpr int most_wasted = 10;  // a tick solves contacts and lengths together once in vain, not more
     collect_asked(state, movers);
@@ -260,8 +283,8 @@ void move(State& state, const Movers& movers, int may_cost, TickReport& report) 
 
 // Tools and thread together, or one tool after the other.
 void follow_tools(State& state, TickReport& report) {
-    // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls. But
-    // what is unfinished is finished first.
+    // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls.
+    // But what is unfinished is finished first.
     const std::size_t groups = state.progress.size();
     const auto movers_of = [&](int pace) {
         const auto p = static_cast<std::size_t>(pace);
@@ -279,7 +302,9 @@ void follow_tools(State& state, TickReport& report) {
 
 }  // namespace
 
-double unseen_room(const State& state) { return std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius); }
+double unseen_room(const State& state) {
+    return std::max(state.def.radius, state.reach - 2 * state.moved - state.def.radius);
+}
 
 double share_beside(const State& state, const Contact& c) {
     const MovingCapsule& tool = state.input.capsules[static_cast<std::size_t>(c.other)];
@@ -311,7 +336,8 @@ TickReport tick(State& state, const TickInput& input) {
     report.fraction = *std::min_element(state.progress.begin(), state.progress.end());
     report.stretch_max = worst_stretch(state, state.nodes);
     for (const Row& row : state.rows)
-        if (row.against == Against::thread) report.separation_min = std::min(report.separation_min, row.distance / (2 * state.def.radius));
+        if (row.against == Against::thread)
+            report.separation_min = std::min(report.separation_min, row.distance / (2 * state.def.radius));
     return report;
 }
 

@@ -6,18 +6,24 @@
 // Which of the thread lies along steel in a substep, and what it knows from the last one.
 namespace sim::thread {
 
-bool goes_on(const Row& row, const Row& next) { return next.against == row.against && next.other == row.other && next.link == row.link + 1; }
+bool goes_on(const Row& row, const Row& next) {
+    return next.against == row.against && next.other == row.other && next.link == row.link + 1;
+}
 
-static bool is_near(const State& state, const Row& row) { return row.against == Against::capsule && is_touched(state, row); }
+static bool is_near(const State& state, const Row& row) {
+    return row.against == Against::capsule && is_touched(state, row);
+}
 
-// Where something else may press on the link too, it is pinched, or may be: two pushes that work against each other have no answer.
+// Where something else may press on the link too, it is pinched, or may be: two pushes that work against each other
+// have no answer.
 static bool is_alone(const State& state, const Row& row) {
     return std::none_of(state.rows.begin(), state.rows.end(), [&](const Row& other) {
         return other.link == row.link && &other != &row && other.distance < other.thickness + state.def.radius;
     });
 }
 
-// Strands that may come to press on each other are coupled with lengths and steel by passes, and a knot holds by that: all is left to them.
+// Strands that may come to press on each other are coupled with lengths and steel by passes, and a knot holds by that:
+// all is left to them.
 static bool is_knotted(const State& state) {
     const double neighbours = looked_around * state.def.radius;  // along the thread: those are near at all times
     return std::any_of(state.rows.begin(), state.rows.end(), [&](const Row& row) {
@@ -42,7 +48,8 @@ void recall_wraps(State& state) {
     for (Row& row : state.rows) row.glides = row.pressed = false;
     state.on_steel.clear();
     if (!is_knotted(state)) find_wraps(state);
-    std::sort(state.on_steel.begin(), state.on_steel.end(), [](const Row* a, const Row* b) { return a->link < b->link; });
+    std::sort(state.on_steel.begin(), state.on_steel.end(),
+              [](const Row* a, const Row* b) { return a->link < b->link; });
     for (Row* row : state.on_steel) {
         const Wrap& wrap = state.wraps[at(row->link)];
         row->glides = true;
@@ -62,7 +69,8 @@ void lie_on_steel(State& state) {
     if (state.on_steel.empty()) return;
     aim(state);
     for (const Row* row : state.on_steel)
-        if (row->pressed && row->mobility > 0) push_apart(state, *row, (row->target - row->distance) / row->mobility * row->normal);
+        if (row->pressed && row->mobility > 0)
+            push_apart(state, *row, (row->target - row->distance) / row->mobility * row->normal);
 }
 
 }  // namespace sim::thread

@@ -8,22 +8,24 @@
 #include "tests/app/still.hpp"
 #include "tests/program.hpp"
 
-// Every command is given what disks, hurried people and other programs leave behind. A crash, a hang, a silent default or
-// a page of noise costs its author an afternoon. To cover another input, add a row.
+// Every command is given what disks, hurried people and other programs leave behind. A crash, a hang, a silent default
+// or a page of noise costs its author an afternoon. To cover another input, add a row.
 namespace {
 
 using program::Folder;
 
 struct Case {
-    std::vector<std::string> call;      ///< "FILE" stands for the broken file.
-    std::string content;                ///< What is in it; "<missing>" and "<directory>" as they say.
+    std::vector<std::string> call;  ///< "FILE" stands for the broken file.
+    std::string content;            ///< What is in it; "<missing>" and "<directory>" as they say.
     std::string extension = ".json";
 };
 
 const std::string header = "t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw\n";
 
 // Where an answer would go that bad input never comes to.
-std::string never(const char* name) { return (std::filesystem::temp_directory_path() / name).string(); }
+std::string never(const char* name) {
+    return (std::filesystem::temp_directory_path() / name).string();
+}
 
 // Whatever a command reads: nothing, nonsense, half of it, not there, not a file.
 void add_every_command(std::vector<Case>& all) {
@@ -36,7 +38,8 @@ void add_every_command(std::vector<Case>& all) {
                                                          {"knot", "FILE"},
                                                          {"motion", "FILE", "--out", never("never.csv")},
                                                          {"run", still::drill, "--input", "FILE"}};
-    const std::string contents[] = {"", program::junk(1, 4096), "{\"carrel_drill\": 1, \"tit", "<missing>", "<directory>"};
+    const std::string contents[] = {"", program::junk(1, 4096), "{\"carrel_drill\": 1, \"tit", "<missing>",
+                                    "<directory>"};
     for (const auto& call : calls)
         for (const std::string& content : contents) all.push_back({call, content});
 }
@@ -49,9 +52,11 @@ void add_motions(std::vector<Case>& all) {
           std::string("0,left,0,0,0,1,0,0\n"), std::string("0,left,1e300,0,0,1,0,0,0,0\n"),
           std::string("0,left,0,0,0,1e-200,0,0,0,0\n"), std::string("0,\x1b[31mred") + pose, std::string(""),
           "1,left" + pose + "0,left" + pose, both + both, both + "1e9,left" + pose, "-1,left" + pose, "0,left" + pose,
-          both + "1,left" + pose + "0.5,left" + pose, both + "0,5,left" + pose, "0," + std::string(1000000, 'x') + pose})
+          both + "1,left" + pose + "0.5,left" + pose, both + "0,5,left" + pose,
+          "0," + std::string(1000000, 'x') + pose})
         all.push_back({{"run", still::drill, "--input", "FILE"}, header + rows, ".csv"});
-    for (const std::string& other : {std::string("t_s,instrument,x_m,y_m,z_m,qw,qx,qy,qz,jaw\n"), std::string("\xef\xbb\xbf\xef\xbb\xbf") + header})
+    for (const std::string& other : {std::string("t_s,instrument,x_m,y_m,z_m,qw,qx,qy,qz,jaw\n"),
+                                     std::string("\xef\xbb\xbf\xef\xbb\xbf") + header})
         all.push_back({{"run", still::drill, "--input", "FILE"}, other + both, ".csv"});
 }
 
@@ -63,12 +68,12 @@ void add_curves(std::vector<Case>& all) {
 void add_waypoints(std::vector<Case>& all) {
     const std::string start = "start left 0 0 0 jaw 0\n";
     for (const std::string& text :
-         {std::string("go left 0 0 0\n"), std::string("start left 0 0 nan jaw 0\n"), std::string("start left 0 0 0 jaw 2\n"),
-          std::string("hop left 1 2 3\n"), std::string("tool left pointing 0 0 0 opening 1 0 0\n"),
-          std::string("start a,b 0 0 0 jaw 0\n"), std::string("start left 0 0 0 jaw 0 left 0 0 0 jaw 0\n"), start + start,
-          start + "jaw left 0 in -1\n", start + "go right 0 0 0\n", start + "go left 0 0 1 left 0 0 2\n",
-          start + "go left 0 0\n", start + "speed 0\n", start + "wait 1e9\n", start + "go left 1 1 1 now\n",
-          std::string(2 << 20, 'x')})
+         {std::string("go left 0 0 0\n"), std::string("start left 0 0 nan jaw 0\n"),
+          std::string("start left 0 0 0 jaw 2\n"), std::string("hop left 1 2 3\n"),
+          std::string("tool left pointing 0 0 0 opening 1 0 0\n"), std::string("start a,b 0 0 0 jaw 0\n"),
+          std::string("start left 0 0 0 jaw 0 left 0 0 0 jaw 0\n"), start + start, start + "jaw left 0 in -1\n",
+          start + "go right 0 0 0\n", start + "go left 0 0 1 left 0 0 2\n", start + "go left 0 0\n",
+          start + "speed 0\n", start + "wait 1e9\n", start + "go left 1 1 1 now\n", std::string(2 << 20, 'x')})
         all.push_back({{"motion", "FILE", "--out", never("never.csv")}, text, ".waypoints"});
 }
 
@@ -136,8 +141,9 @@ TEST(BadInput, ADrillIsRefusedWithThePlaceInIt) {
         for (const std::string command : {"validate", "explain", "run"})
             expect_refused({{command, "FILE"}, program::replaced(good, from, to)}, Folder(), ": error: /");
     const std::string brackets(100000, '[');
-    for (const std::string& text : {brackets, program::replaced(good, "[1, 0, 0]", brackets), program::replaced(good, "141", "1e400"), program::replaced(good, "141", "NaN"),
-                                    good + "}", std::string(5 << 20, ' ')})
+    for (const std::string& text :
+         {brackets, program::replaced(good, "[1, 0, 0]", brackets), program::replaced(good, "141", "1e400"),
+          program::replaced(good, "141", "NaN"), good + "}", std::string(5 << 20, ' ')})
         expect_refused({{"validate", "FILE"}, text}, Folder(), "");
 }
 
@@ -145,8 +151,9 @@ TEST(BadInput, ADrillIsRefusedWithThePlaceInIt) {
 TEST(BadInput, AMeshIsRefusedByName) {
     const std::string corners = "v -50 -20 -20\nv 50 -20 -20\nv 50 20 20\n";
     for (const std::string& mesh :
-         {std::string(), program::junk(2, 3000), std::string("v 0 0 0\nv 1 0 0\n"), std::string("v 0 0 0\nv nan 0 0\nv 0 9 0\nf 1 2 3\n"),
-          corners + "f 1 2 9\n", std::string("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), corners + "f 1 2 3\n" /* cuts the thread */}) {
+         {std::string(), program::junk(2, 3000), std::string("v 0 0 0\nv 1 0 0\n"),
+          std::string("v 0 0 0\nv nan 0 0\nv 0 9 0\nf 1 2 3\n"), corners + "f 1 2 9\n",
+          std::string("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), corners + "f 1 2 3\n" /* cuts the thread */}) {
         const Folder folder;
         for (const std::string command : {"validate", "run"})
             expect_refused({{command, "FILE"}, drill_of_mesh(folder, mesh)}, folder, "vessel.obj: error: ");
@@ -158,35 +165,48 @@ TEST(BadInput, NothingStartsInAWallThatGivesWay) {
     const Folder folder;
     folder.write("single-bite.csv", program::read(CARREL_SOURCE "/scenarios/drills/single-bite.csv"));
     std::string good = program::read(CARREL_SOURCE "/scenarios/drills/single-bite.json");
-    for (int end = 0; end < 2; ++end) good = program::replaced(good, "\"length_mm\": 4}", "\"length_mm\": 4, \"cut_angle_deg\": 45}");
+    for (int end = 0; end < 2; ++end)
+        good = program::replaced(good, "\"length_mm\": 4}", "\"length_mm\": 4, \"cut_angle_deg\": 45}");
     const std::string drill = folder.write("drill.json", good);
     ASSERT_EQ(program::run({"validate", drill}).exit, 0);
     for (const auto& [from, to, blamed] : std::vector<std::array<std::string, 3>>{
              {R"("tail_mm": [1.022, 0, 8.605], "towards": [-4.44, 0, -5.79], "bulge": [-3.134, 0, 2.405]},
-    "start_mm": [[2.4, 1.5, 8.2])", R"("tail_mm": [-3.5, 0, 6], "towards": [0, 0, -1], "bulge": [0, 1, 0]},
-    "start_mm": [[-3.5, -3, 7.5])", "vessel \"left-end\": error: /vessels/0: the needle"},
-             {"\"centre_mm\": [3.5, 0, 0]", "\"centre_mm\": [-3, 0, 0]", "vessel \"right-end\": error: /vessels/1: it starts in the wall of \"left-end\""}}) {
+    "start_mm": [[2.4, 1.5, 8.2])",
+              R"("tail_mm": [-3.5, 0, 6], "towards": [0, 0, -1], "bulge": [0, 1, 0]},
+    "start_mm": [[-3.5, -3, 7.5])",
+              "vessel \"left-end\": error: /vessels/0: the needle"},
+             {"\"centre_mm\": [3.5, 0, 0]", "\"centre_mm\": [-3, 0, 0]",
+              "vessel \"right-end\": error: /vessels/1: it starts in the wall of \"left-end\""}}) {
         folder.write("drill.json", program::replaced(good, from, to));
-        for (const char* command : {"validate", "run"}) program::expect_one_line_naming(blamed, program::run({command, drill}));
+        for (const char* command : {"validate", "run"})
+            program::expect_one_line_naming(blamed, program::run({command, drill}));
     }
 }
 
 // A box whose wall is half a millimetre thick; the thread is in that, and touches no side of it.
 TEST(BadInput, NoThreadStartsInAWallThatIsAMesh) {
     const Folder folder;
-    folder.write("box.obj", "v -9 -9 -9\nv 9 -9 -9\nv 9 9 -9\nv -9 9 -9\nv -9 -9 9\nv 9 -9 9\nv 9 9 9\nv -9 9 9\nf 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\n"
-                            "f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
-    std::string text = R"({"carrel_drill": 1, "title": "Box", "thread": {"size": "6-0", "length_mm": 8, "links": 40, "start_mm": [[-4, 0, 8.75], [4, 0, 8.75]]},
+    folder.write("box.obj",
+                 "v -9 -9 -9\nv 9 -9 -9\nv 9 9 -9\nv -9 9 -9\nv -9 -9 9\nv 9 -9 9\nv 9 9 9\nv -9 9 9\nf 1 3 2\nf 1 4 "
+                 "3\nf 5 6 7\nf 5 7 8\n"
+                 "f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
+    std::string text =
+        R"({"carrel_drill": 1, "title": "Box", "thread": {"size": "6-0", "length_mm": 8, "links": 40, "start_mm": [[-4, 0, 8.75], [4, 0, 8.75]]},
       "vessels": [{"name": "box", "mesh": {"file": "box.obj", "sha256": "SHA", "wall_mm": 0.5}}], "instruments": [{"name": "left", "kind": "forceps"}],
       "effects": {"tissue": "elastic"}, "time_limit_s": 1})";
     text = with_sum(folder, program::replaced(text, "SHA", std::string(64, '0')));
     const std::string drill = folder.write("drill.json", text);
-    program::expect_one_line_naming("vessel \"box\": error: /vessels/0: the thread starts in its wall, behind corner 0", program::run({"validate", drill}));
-    folder.write("drill.json", program::replaced(text, "[[-4, 0, 8.75], [4, 0, 8.75]]", "[[-4, 0, 9.75], [4, 0, 9.75]]"));
+    program::expect_one_line_naming("vessel \"box\": error: /vessels/0: the thread starts in its wall, behind corner 0",
+                                    program::run({"validate", drill}));
+    folder.write("drill.json",
+                 program::replaced(text, "[[-4, 0, 8.75], [4, 0, 8.75]]", "[[-4, 0, 9.75], [4, 0, 9.75]]"));
     EXPECT_EQ(program::run({"validate", drill}).exit, 0);
-    std::string sewn = program::replaced(text, "\"start_mm\": [[-4, 0, 8.75], [4, 0, 8.75]]", "\"needle\": {\"code\": \"BV-1\", \"tail_mm\": [0, 0, 30], \"towards\": [1, 0, 0], \"bulge\": [0, 0, 1]}, \"start_mm\": [[-4, 0, 30], [-8, 0, 30]]");
+    std::string sewn = program::replaced(text, "\"start_mm\": [[-4, 0, 8.75], [4, 0, 8.75]]",
+                                         "\"needle\": {\"code\": \"BV-1\", \"tail_mm\": [0, 0, 30], \"towards\": [1, "
+                                         "0, 0], \"bulge\": [0, 0, 1]}, \"start_mm\": [[-4, 0, 30], [-8, 0, 30]]");
     sewn = program::replaced(sewn, "\"wall_mm\": 0.5}}", "\"wall_mm\": 0.5}, \"held\": [\"start\"]}");
-    sewn = program::replaced(sewn, "\"time_limit_s\"", "\"bands\": {\"bites\": [1, 2], \"bite_mm\": [1, 2]}, \"time_limit_s\"");
+    sewn = program::replaced(sewn, "\"time_limit_s\"",
+                             "\"bands\": {\"bites\": [1, 2], \"bite_mm\": [1, 2]}, \"time_limit_s\"");
     folder.write("drill.json", sewn);
     program::expect_one_line_naming("it is closed, so that there is no cut", program::run({"validate", drill}));
 }
@@ -198,10 +218,12 @@ TEST(BadInput, ARecordingWhoseFirstInputIsDamagedIsNamed) {
     const std::string bad = folder.path("bad.carrel");
     std::vector<instruments::ToolInput> inputs(drill.world.instruments.size());
     inputs[1].pose.position.x() = std::nan("");
-    scenarios::recording::Recorder recorder(bad, {drill.text, still::drill, "", drill.world.tick_s, {"left", "right"}, {}});
+    scenarios::recording::Recorder recorder(bad,
+                                            {drill.text, still::drill, "", drill.world.tick_s, {"left", "right"}, {}});
     for (int t = 0; t < 5; ++t) recorder.add_tick(inputs);
     recorder.finish();
-    for (const auto& call : {std::vector<std::string>{"replay", bad}, {"render", bad, "--out", folder.path("x.png")}}) program::expect_one_line_naming(bad, program::run(call));
+    for (const auto& call : {std::vector<std::string>{"replay", bad}, {"render", bad, "--out", folder.path("x.png")}})
+        program::expect_one_line_naming(bad, program::run(call));
 }
 
 // Recordings are kept for years and moved about. What was changed in one must be told, by all who read it, and a check
@@ -209,7 +231,10 @@ TEST(BadInput, ARecordingWhoseFirstInputIsDamagedIsNamed) {
 TEST(BadInput, ADamagedRecordingIsNamed) {
     const Folder folder;
     const std::string good = folder.path("good.carrel"), bad = folder.path("bad.carrel");
-    ASSERT_EQ(program::run({"run", still::drill, "--input", folder.write("m.csv", still::motion("0.05")), "--record", good}).exit, 0);
+    ASSERT_EQ(
+        program::run({"run", still::drill, "--input", folder.write("m.csv", still::motion("0.05")), "--record", good})
+            .exit,
+        0);
     const auto expect_named = [&](const std::string& how, const std::vector<std::vector<std::string>>& calls) {
         for (const auto& call : calls) {
             SCOPED_TRACE(how + "\n" + testing::PrintToString(call));
@@ -217,7 +242,8 @@ TEST(BadInput, ADamagedRecordingIsNamed) {
         }
     };
     const std::vector<std::string> verify{"replay", "--verify", bad};
-    const std::vector<std::vector<std::string>> all{{"replay", bad}, verify, {"render", bad, "--out", folder.path("x.png")}};
+    const std::vector<std::vector<std::string>> all{
+        {"replay", bad}, verify, {"render", bad, "--out", folder.path("x.png")}};
     const auto forge = [&](const std::string& sql) {
         std::filesystem::copy_file(good, bad, std::filesystem::copy_options::overwrite_existing);
         sqlite3* db = nullptr;
@@ -235,8 +261,10 @@ TEST(BadInput, ADamagedRecordingIsNamed) {
         forge(sql);
         expect_named(sql, all);
     }
-    for (const char* sql : {"DELETE FROM state_hash", "DELETE FROM state_hash; DELETE FROM finished", "DELETE FROM state_hash WHERE tick > 300",
-                            "UPDATE state_hash SET tick = tick + 100000 WHERE tick = 200", "UPDATE state_hash SET tick = -tick"}) {
+    for (const char* sql :
+         {"DELETE FROM state_hash", "DELETE FROM state_hash; DELETE FROM finished",
+          "DELETE FROM state_hash WHERE tick > 300", "UPDATE state_hash SET tick = tick + 100000 WHERE tick = 200",
+          "UPDATE state_hash SET tick = -tick"}) {
         forge(sql);
         expect_named(sql, {verify});
     }
@@ -254,7 +282,8 @@ TEST(BadInput, ADamagedRecordingIsNamed) {
         const auto ending = program::run(verify);
         SCOPED_TRACE("seed " + std::to_string(seed));
         EXPECT_TRUE(ending.in_time);
-        EXPECT_TRUE(ending.exit == 0 || ending.exit == 2 || ending.exit == 3) << ending.exit << ", signal " << ending.signal;
+        EXPECT_TRUE(ending.exit == 0 || ending.exit == 2 || ending.exit == 3)
+            << ending.exit << ", signal " << ending.signal;
         EXPECT_EQ(std::count(ending.said.begin(), ending.said.end(), '\n'), 1) << ending.said;
     }
 }
@@ -274,9 +303,11 @@ TEST(BadInput, ARecordingOfAnotherMeshIsNamed) {
     const Folder elsewhere;
     const std::string copy = elsewhere.path("copy.carrel");
     std::filesystem::copy(recording, copy);
-    program::expect_one_line_naming(mesh + " is not there, expected it there or at " + elsewhere.path("vessel.obj"), program::run({"replay", copy}));
+    program::expect_one_line_naming(mesh + " is not there, expected it there or at " + elsewhere.path("vessel.obj"),
+                                    program::run({"replay", copy}));
     elsewhere.write("vessel.obj", far);
-    EXPECT_EQ(program::run({"replay", "--verify", copy}).exit, 0) << "who gets a recording and its mesh has them in one folder";
+    EXPECT_EQ(program::run({"replay", "--verify", copy}).exit, 0)
+        << "who gets a recording and its mesh has them in one folder";
 }
 
 TEST(BadInput, ANameThatIsTooLongIsNoFile) {
@@ -309,7 +340,8 @@ TEST(BadInput, APlaceThatCannotBeWrittenIsNamed) {
              {notes, run_to("--out", notes)},
              {"/proc/x", run_to("--out", "/proc/x")},
              {"--out", run_to("--out", "")},
-             {other.path("report.html"), {"run", still::drill, "--input", motion, "--out", other.path(""), "--record", other.path("report.html")}},
+             {other.path("report.html"),
+              {"run", still::drill, "--input", motion, "--out", other.path(""), "--record", other.path("report.html")}},
              {"--frames", run_to("--frames", "3")},  // nowhere to go
              {"/nowhere/x.csv", {"motion", waypoints, "--out", "/nowhere/x.csv"}},
              {folder.path(""), {"motion", waypoints, "--out", folder.path("")}},
@@ -355,7 +387,8 @@ TEST(BadInput, AFileThatCannotBeWrittenToItsEndIsNotLeft) {
     const auto handler = signal(SIGXFSZ, SIG_IGN);  // the program is to be told, not killed
     const rlimit small{4096, before.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
-    const auto ending = program::run({"motion", CARREL_SOURCE "/scenarios/drills/square-knot.waypoints", "--out", made});
+    const auto ending =
+        program::run({"motion", CARREL_SOURCE "/scenarios/drills/square-knot.waypoints", "--out", made});
     setrlimit(RLIMIT_FSIZE, &before);
     signal(SIGXFSZ, handler);
     EXPECT_EQ(ending.exit, 1);
@@ -365,11 +398,22 @@ TEST(BadInput, AFileThatCannotBeWrittenToItsEndIsNotLeft) {
 
 // A mistyped option is bad input like any other: one line that says what to look up.
 TEST(BadInput, AWrongCommandLineIsOneLineToo) {
-    for (const std::vector<std::string>& call : std::vector<std::vector<std::string>>{
-             {}, {""}, {"nope"}, {"run"}, {"run", "--nope"}, {"replay"}, {"nope", "--help"}, {"knot", "--around"}, {"rope", "--links", "many"},
-             {"render", "--size"}, {"validate", "a", "--no\npe"}, {"run", still::drill, "--frames", "1e12"}}) {
+    for (const std::vector<std::string>& call :
+         std::vector<std::vector<std::string>>{{},
+                                               {""},
+                                               {"nope"},
+                                               {"run"},
+                                               {"run", "--nope"},
+                                               {"replay"},
+                                               {"nope", "--help"},
+                                               {"knot", "--around"},
+                                               {"rope", "--links", "many"},
+                                               {"render", "--size"},
+                                               {"validate", "a", "--no\npe"},
+                                               {"run", still::drill, "--frames", "1e12"}}) {
         SCOPED_TRACE(testing::PrintToString(call));
         program::expect_one_line_naming("--help", program::run(call));
     }
-    EXPECT_NE(program::run({"runn", still::drill}).said.find("'runn' is no command, known are run, replay"), std::string::npos);
+    EXPECT_NE(program::run({"runn", still::drill}).said.find("'runn' is no command, known are run, replay"),
+              std::string::npos);
 }

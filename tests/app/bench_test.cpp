@@ -129,7 +129,9 @@ TEST(Bench, WhatIsNoPlaceHasNoFigures) {
 // A point needs its error and its cost; what the quick suite does not measure is left out.
 TEST(Bench, ThePictureOfTissueShowsErrorsOverCosts) {
     const std::string step = "pull-n16-30mN-step2-moves1-factor8";
-    Suite suite{"tissue", {row(step + "-off", 1.5), row("pressure-axial100-n16-growth", 4), row("edge-100mN-n16", 5), row("bite-100mN-n16", 6)}};
+    Suite suite{"tissue",
+                {row(step + "-off", 1.5), row("pressure-axial100-n16-growth", 4), row("edge-100mN-n16", 5),
+                 row("bite-100mN-n16", 6)}};
     const auto points = [&] {
         const std::string drawn = app::bench::tissue_picture(suite);
         int count = 0;
@@ -147,13 +149,14 @@ TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
         program::expect_one_line_naming("SUITE", program::run({"bench", suite}));
 }
 
-// One whole run through the real program, peers that were built included. Times are whatever they are here. Not under the sanitizers, as the next: minutes,
-// of what rooms' own tests show them.
+// One whole run through the real program, peers that were built included. Times are whatever they are here. Not under
+// the sanitizers, as the next: minutes, of what rooms' own tests show them.
 TEST(Bench, TheQuickSuiteRunsAndItsExitSaysWhetherAllBoundsHold) {
     if (sanitized) GTEST_SKIP();
     const program::Folder folder;
     const std::string plot = folder.path("plot.svg");
-    const auto ending = program::run({"bench", "speed", "--quick", "--json", "--plot", plot}, std::chrono::seconds(600));
+    const auto ending =
+        program::run({"bench", "speed", "--quick", "--json", "--plot", plot}, std::chrono::seconds(600));
     ASSERT_TRUE(ending.exit == 0 || ending.exit == 3) << ending.said;
     const json answer = json::parse(ending.out);
     EXPECT_EQ(answer.at("suite"), "speed");
@@ -174,7 +177,8 @@ TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
     if (sanitized) GTEST_SKIP();
     const program::Folder folder;
     const std::string plots = folder.path("plots");
-    const auto ending = program::run({"bench", "speed-vs-error", "--quick", "--json", "--plot", plots}, std::chrono::seconds(600));
+    const auto ending =
+        program::run({"bench", "speed-vs-error", "--quick", "--json", "--plot", plots}, std::chrono::seconds(600));
     ASSERT_EQ(ending.exit, 0) << ending.said;
     const json answer = json::parse(ending.out);
     EXPECT_EQ(answer.at("suite"), "speed-vs-error");
@@ -185,25 +189,28 @@ TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
         values[row["id"]] = row["value"];
         EXPECT_GE(values[row["id"]], 0) << row.dump();
     }
-    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-",
-                                       "loose-overhand-", "rough-overhand-", "tight-overhand-", "square-granny-mu1-", "square-granny-mu2-"})
+    for (const std::string problem : {"capstan-half-", "capstan-one-", "cantilever-", "helix-", "loose-overhand-",
+                                      "rough-overhand-", "tight-overhand-", "square-granny-mu1-", "square-granny-mu2-"})
         for (const std::string thread : {"ftl-", "elastic-"})
             for (const std::string figure : {problem.starts_with("square") ? "-found" : "-error", "-cost"}) {
-                const auto is_it = [&](const auto& row) { return row.first.starts_with(problem + thread) && row.first.ends_with(figure); };
+                const auto is_it = [&](const auto& row) {
+                    return row.first.starts_with(problem + thread) && row.first.ends_with(figure);
+                };
                 EXPECT_EQ(std::count_if(values.begin(), values.end(), is_it), 1) << problem << thread << figure;
             }
     EXPECT_LT(values.at("cantilever-elastic-link20-tick4-error"), 1);
     EXPECT_GT(values.at("cantilever-ftl-link20-tick4-error"), 99);
     EXPECT_LT(values.at("ring-turn-rod-link40-error"), values.at("ring-turn-rod-link20-error"));
     EXPECT_LT(values.at("capstan-half-elastic-link2-tick4-error"), 5);  // of the ratio, as `carrel bench accuracy` asks
-    EXPECT_GT(values.at("drill-square-shipped-knot"), 0);  // it still ties something
+    EXPECT_GT(values.at("drill-square-shipped-knot"), 0);               // it still ties something
     for (const std::string name : {"capstan-half", "square-granny-mu2", "helix-angle"})
         EXPECT_TRUE(program::read(plots + "/" + name + ".svg").starts_with("<svg ")) << name;
 }
 
 // Ten times as much is as far along a logarithmic axis everywhere, and what has no logarithm is left out.
 TEST(Bench, APlotWithTwoLogarithmicAxesHasEvenDecades) {
-    const app::bench::Series series{"a thread", {{1, 0.1, "first"}, {10, 1, "second"}, {100, 10, "third"}, {10, 0, "none"}}};
+    const app::bench::Series series{"a thread",
+                                    {{1, 0.1, "first"}, {10, 1, "second"}, {100, 10, "third"}, {10, 0, "none"}}};
     const std::string picture = app::bench::svg({{"cost", "error", {series}, true}}), start = "<polyline points=\"";
     std::istringstream points(picture.substr(picture.find(start) + start.size()));
     double x[3], y[3];

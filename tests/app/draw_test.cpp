@@ -75,7 +75,9 @@ Vec3 random_point(std::mt19937& random, double size) {
 // A knot under a vessel would be seen from within it.
 TEST(Draw, ACloseViewIsFromOutside) {
     const Vec3 point(1e-3, 2e-3, -3e-3);
-    const auto eye_from = [&](const Vec3& outwards) { return Vec3(close_view(point, 2e-3, outwards).position - point); };
+    const auto eye_from = [&](const Vec3& outwards) {
+        return Vec3(close_view(point, 2e-3, outwards).position - point);
+    };
     const Vec3 usual = eye_from(Vec3::Zero());
     EXPECT_EQ(eye_from(Vec3::UnitZ()), usual);
     for (const Vec3& outwards : {Vec3(-Vec3::UnitZ()), Vec3(Vec3::UnitY()), Vec3(0.2, 0.6, -0.5).normalized()}) {
@@ -91,8 +93,12 @@ TEST(Draw, ACloseViewIsNotHiddenByAToolInFront) {
     picture.camera = close_view(Vec3::Zero(), 3e-3, Vec3::Zero());
     const auto is_seen = [&] { return at(render(canvas(), picture), 240, 160).suture(); };
     ASSERT_TRUE(is_seen());
-    const auto tip = [](const instruments::Pose& pose) { return instruments::parts_at(instruments::shape_of(instruments::Kind::forceps), pose, 0)[instruments::jaw_plus].b; };
-    picture.tools = {{instruments::Kind::forceps, {0.7 * picture.camera.position - tip({}), instruments::Quat::Identity()}, 0}};
+    const auto tip = [](const instruments::Pose& pose) {
+        return instruments::parts_at(instruments::shape_of(instruments::Kind::forceps), pose, 0)[instruments::jaw_plus]
+            .b;
+    };
+    picture.tools = {
+        {instruments::Kind::forceps, {0.7 * picture.camera.position - tip({}), instruments::Quat::Identity()}, 0}};
     EXPECT_TRUE(is_seen());
     picture.camera.cut_off = Camera().cut_off;
     EXPECT_FALSE(is_seen()) << "the tool is there";
@@ -102,7 +108,8 @@ TEST(Draw, ThreadIsWhereTheCameraProjectsItAndAsThick) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
-        const Vec3 a = Vec3(-12e-3, 0, 0) + random_point(random, 5e-3), b = Vec3(12e-3, 0, 0) + random_point(random, 5e-3);
+        const Vec3 a = Vec3(-12e-3, 0, 0) + random_point(random, 5e-3),
+                   b = Vec3(12e-3, 0, 0) + random_point(random, 5e-3);
         const double radius = 0.4e-3 + 0.1e-3 * seed;
         const Picture picture = thread_picture(line(a, b), radius);
         const Image image = render(canvas(), picture);
@@ -110,7 +117,8 @@ TEST(Draw, ThreadIsWhereTheCameraProjectsItAndAsThick) {
         ASSERT_EQ(image.height, 320);
         ASSERT_EQ(image.pixels.size(), 3u * 480 * 320);
         for (const double share : {0.2, 0.5, 0.8}) {
-            const Vec3 middle = project(picture, a + share * (b - a)), ahead = project(picture, a + (share + 0.01) * (b - a));
+            const Vec3 middle = project(picture, a + share * (b - a)),
+                       ahead = project(picture, a + (share + 0.01) * (b - a));
             const Vec3 away = (ahead - middle).cwiseProduct(Vec3(1, 1, 0)).normalized();
             const Span seen = thread_in(image, static_cast<int>(middle.x()));
             // Pixels a metre at that depth, then how far a strand leaning in the picture reaches up and down a column.

@@ -8,7 +8,8 @@
 #include "app/commands/effects.hpp"
 #include "scenarios/world/world.hpp"
 
-// What `carrel explain` predicts, against small drills with the effect on and off: right to within a factor of 3, as estimates are.
+// What `carrel explain` predicts, against small drills with the effect on and off: right to within a factor of 3, as
+// estimates are.
 namespace {
 
 using instruments::ToolInput;
@@ -20,9 +21,12 @@ using sim::geometry::Vec3;
 // A straight thread along x that a tool holds at its first millimetre, and maybe another at its last.
 Drill drill(double length_mm, const std::string& effects, const std::string& model = "elastic", bool two = false) {
     const std::string length = std::to_string(length_mm);
-    return scenarios::drill::parse_drill(R"({"carrel_drill": 1, "title": "Held", "time_limit_s": 60, "thread": {"model": ")" + model + R"(", "length_mm": )" + length +
-        R"(, "links": 50, "start_mm": [[0, 0, 0], [)" + length + R"(, 0, 0]]}, "instruments": [{"name": "left", "kind": "needle_holder"})" +
-        (two ? R"(, {"name": "right", "kind": "needle_holder"})" : "") + R"(], "effects": )" + effects + "}", "held.json", "");
+    return scenarios::drill::parse_drill(
+        R"({"carrel_drill": 1, "title": "Held", "time_limit_s": 60, "thread": {"model": ")" + model +
+            R"(", "length_mm": )" + length + R"(, "links": 50, "start_mm": [[0, 0, 0], [)" + length +
+            R"(, 0, 0]]}, "instruments": [{"name": "left", "kind": "needle_holder"})" +
+            (two ? R"(, {"name": "right", "kind": "needle_holder"})" : "") + R"(], "effects": )" + effects + "}",
+        "held.json", "");
 }
 
 double predicted(const std::string& effect, const Drill& drill) {
@@ -42,7 +46,8 @@ struct Scene {
         down << 0, 1, 0, 1, 0, 0, 0, 0, -1;
         std::vector<ToolInput> tools;
         for (const double x : {in, drill.world.thread.length - in})
-            if (tools.size() < drill.world.instruments.size()) tools.push_back({{Vec3(x, 0, -down_the_jaws), Quat(down)}, shut});
+            if (tools.size() < drill.world.instruments.size())
+                tools.push_back({{Vec3(x, 0, -down_the_jaws), Quat(down)}, shut});
         return tools;
     }
 
@@ -74,10 +79,12 @@ void expect_as_predicted(double measured, double predicted) {
 }  // namespace
 
 TEST(EffectsMeasured, Gravity) {
-    for (const double length_mm : {20, 40, 150}) expect_as_predicted(sag(length_mm, true) - sag(length_mm, false), predicted("gravity", drill(length_mm, "{}")));
+    for (const double length_mm : {20, 40, 150})
+        expect_as_predicted(sag(length_mm, true) - sag(length_mm, false), predicted("gravity", drill(length_mm, "{}")));
 }
 
-// Drawn round the jaws by another tool: how far its middle passes by the corner that a thread without stiffness makes there.
+// Drawn round the jaws by another tool: how far its middle passes by the corner that a thread without stiffness makes
+// there.
 static double rounding_mm(const std::string& model) {
     constexpr double length_mm = 22, handling_N = 0.02;
     Scene scene(drill(length_mm, "{}", model, true));
@@ -93,11 +100,14 @@ static double rounding_mm(const std::string& model) {
         scene.tick();
     }
     const int middle = static_cast<int>(scene.world.thread().size()) / 2;
-    const Vec3 along = (scene.at(middle + 2) - scene.at(middle - 2)).normalized(), by = scene.at(scene.first_free()) - scene.at(middle);
+    const Vec3 along = (scene.at(middle + 2) - scene.at(middle - 2)).normalized(),
+               by = scene.at(scene.first_free()) - scene.at(middle);
     return 1e3 * (by - by.dot(along) * along).norm();
 }
 
-TEST(EffectsMeasured, Bending) { expect_as_predicted(rounding_mm("elastic") - rounding_mm("ftl"), predicted("bending", drill(22, "{}"))); }
+TEST(EffectsMeasured, Bending) {
+    expect_as_predicted(rounding_mm("elastic") - rounding_mm("ftl"), predicted("bending", drill(22, "{}")));
+}
 
 // Two tools draw it until it pulls with 20 mN.
 static double strain(const std::string& effects) {
@@ -106,10 +116,13 @@ static double strain(const std::string& effects) {
     scene.tick(10);
     const double before = scene.tools[1].pose.position.x();
     while (scene.world.tension_now() < handling_N) scene.tools[1].pose.position.x() += 1e-7, scene.tick();
-    return (scene.tools[1].pose.position.x() - before) / (scene.tools[1].pose.position.x() - scene.tools[0].pose.position.x());
+    return (scene.tools[1].pose.position.x() - before) /
+           (scene.tools[1].pose.position.x() - scene.tools[0].pose.position.x());
 }
 
-TEST(EffectsMeasured, Extension) { expect_as_predicted(strain("{}") - strain(R"({"extension": false})"), predicted("extension", drill(30, "{}"))); }
+TEST(EffectsMeasured, Extension) {
+    expect_as_predicted(strain("{}") - strain(R"({"extension": false})"), predicted("extension", drill(30, "{}")));
+}
 
 // How far the tip of a tail is left behind by a hand that goes up and down at 2 Hz, over how far it goes.
 static double lag(const std::string& effects) {
@@ -126,7 +139,9 @@ static double lag(const std::string& effects) {
     return most / way;
 }
 
-TEST(EffectsMeasured, Inertia) { expect_as_predicted(lag("{}") - lag(R"({"inertia": false})"), predicted("inertia", drill(50, "{}"))); }
+TEST(EffectsMeasured, Inertia) {
+    expect_as_predicted(lag("{}") - lag(R"({"inertia": false})"), predicted("inertia", drill(50, "{}")));
+}
 
 // How far a thread that was led along itself goes on in a second once it is let go of [mm].
 static double flies_on(const std::string& effects) {
@@ -146,10 +161,13 @@ static double flies_on(const std::string& effects) {
     return 1e3 * (before - scene.tip().x());
 }
 
-TEST(EffectsMeasured, Air) { expect_as_predicted(flies_on("{}") - flies_on(R"({"air": true})"), predicted("air", drill(50, "{}"))); }
+TEST(EffectsMeasured, Air) {
+    expect_as_predicted(flies_on("{}") - flies_on(R"({"air": true})"), predicted("air", drill(50, "{}")));
+}
 
 // Laid about a strand of its own and let go of.
 TEST(EffectsMeasured, PlasticSet) {
     using app::bench::springback;
-    expect_as_predicted(springback(1, app::bench::polypropylene_yield).found - springback(1, 0).found, predicted("plastic_set", drill(30, "{}")));
+    expect_as_predicted(springback(1, app::bench::polypropylene_yield).found - springback(1, 0).found,
+                        predicted("plastic_set", drill(30, "{}")));
 }

@@ -39,7 +39,8 @@ TEST(Effects, TenZeroNylonAsPublished) {
 
 // Each effect that a drill file names is explained, so that an author finds the word she wrote.
 TEST(Effects, EveryEffectOfDrillFilesIsExplained) {
-    for (const char* name : {"gravity", "bending", "twist", "extension", "plastic_set", "tissue", "tear", "leak", "inertia", "air"}) {
+    for (const char* name :
+         {"gravity", "bending", "twist", "extension", "plastic_set", "tissue", "tear", "leak", "inertia", "air"}) {
         EXPECT_FALSE(effect(name, sample::drill).error.empty());
         EXPECT_FALSE(effect(name, sample::drill).cost.empty());
         EXPECT_FALSE(effect(name, sample::drill).on);
@@ -66,21 +67,26 @@ TEST(Effects, EachIsOnWhereTheDrillSaysSo) {
         std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
         return effect(name, text.replace(text.find("{\"gravity\": false}"), 18, effects)).on;
     };
-    for (const char* name : {"gravity", "plastic_set", "air"}) EXPECT_TRUE(on(name, "{\"" + std::string(name) + "\": true}")) << name;
-    for (const char* name : {"extension", "inertia"}) EXPECT_FALSE(on(name, "{\"" + std::string(name) + "\": false}")) << name;
+    for (const char* name : {"gravity", "plastic_set", "air"})
+        EXPECT_TRUE(on(name, "{\"" + std::string(name) + "\": true}")) << name;
+    for (const char* name : {"extension", "inertia"})
+        EXPECT_FALSE(on(name, "{\"" + std::string(name) + "\": false}")) << name;
 }
 
 // 300 mm of silk hang in 11 of its gravito-bending lengths, 20 mm of polypropylene in 0.4 of its own.
 TEST(Effects, IsMissedWhereTheThreadNeedsIt) {
-    const std::string limp = sample::with("\"size\": \"6-0\",\n    \"length_mm\": 150", "\"material\": \"silk\", \"length_mm\": 300");
+    const std::string limp =
+        sample::with("\"size\": \"6-0\",\n    \"length_mm\": 150", "\"material\": \"silk\", \"length_mm\": 300");
     EXPECT_TRUE(effect("gravity", limp).is_missed());
     EXPECT_TRUE(effect("inertia", limp).is_missed());
     EXPECT_FALSE(effect("extension", limp).is_missed());
     EXPECT_FALSE(effect("gravity", sample::with("150", "20, \"links\": 50")).is_missed());
-    // Links of half a millimetre are shorter than a corner of polypropylene is round at 20 mN, links of 1.5 mm are not unless they may be halved.
+    // Links of half a millimetre are shorter than a corner of polypropylene is round at 20 mN, links of 1.5 mm are not
+    // unless they may be halved.
     EXPECT_TRUE(effect("bending", sample::drill).is_missed());
     EXPECT_TRUE(effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100")).is_missed());
-    EXPECT_FALSE(effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100, \"shortest_link_mm\": 0")).is_missed());
+    EXPECT_FALSE(
+        effect("bending", sample::with("\"friction\": 0.2", "\"links\": 100, \"shortest_link_mm\": 0")).is_missed());
     // Tied by an elastic thread a knot springs open unless it is set; what ftl ties does not spring.
     EXPECT_FALSE(effect("plastic_set", sample::drill).is_missed());
     EXPECT_TRUE(effect("plastic_set", sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"")).is_missed());
@@ -91,7 +97,8 @@ TEST(Effects, AWallIsTheDrillsOwn) {
     const std::string thin = sample::with("\"wall_mm\": 0.6", "\"wall_mm\": 0.2");
     EXPECT_NEAR(effect("tissue", thin).value, 3 * effect("tissue", sample::drill).value, 1e-9);
     EXPECT_NEAR(effect("tear", thin).value, 3 * effect("tear", sample::drill).value, 1e-9);
-    EXPECT_NE(effect("tear", thin).error.find("a 0.2 mm wall should tear at about 0.68 N"), std::string::npos) << effect("tear", thin).error;
+    EXPECT_NE(effect("tear", thin).error.find("a 0.2 mm wall should tear at about 0.68 N"), std::string::npos)
+        << effect("tear", thin).error;
 }
 
 // A warning is for the author's eyes: the drill stays valid, and what is printed for machines says the same.
@@ -100,7 +107,8 @@ TEST(Effects, ValidateWarnsAndExitsAsBefore) {
     const std::string file = folder.write("drill.json", sample::with("150", "300"));
     const auto told = program::run({"validate", file});
     EXPECT_EQ(told.exit, 0);
-    EXPECT_NE(told.said.find(file + ": warning: /effects/gravity: off, but L / (B / mg)^(1/3) is "), std::string::npos) << told.said;
+    EXPECT_NE(told.said.find(file + ": warning: /effects/gravity: off, but L / (B / mg)^(1/3) is "), std::string::npos)
+        << told.said;
     const auto json = program::run({"validate", "--json", file});
     EXPECT_EQ(json.exit, 0);
     EXPECT_NE(json.out.find("\"warnings\""), std::string::npos) << json.out;
@@ -111,8 +119,10 @@ TEST(Effects, FtlDoesNotPlayADrillThatAsksForMore) {
     const program::Folder folder;
     std::string text = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
     text.replace(text.find("{\"gravity\": false}"), 18, "{\"gravity\": true}");
-    program::expect_one_line_naming("--thread ftl", program::run({"run", folder.write("drill.json", text), "--thread", "ftl"}));
+    program::expect_one_line_naming("--thread ftl",
+                                    program::run({"run", folder.write("drill.json", text), "--thread", "ftl"}));
     std::string feels = sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\"");
     feels.replace(feels.find("\"forceps\""), 9, "\"forceps\", \"pull_N\": 1");
-    program::expect_one_line_naming("pull_N", program::run({"run", folder.write("feels.json", feels), "--thread", "ftl"}));
+    program::expect_one_line_naming("pull_N",
+                                    program::run({"run", folder.write("feels.json", feels), "--thread", "ftl"}));
 }

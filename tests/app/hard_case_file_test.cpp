@@ -28,7 +28,9 @@ const char* const small_scene = R"({
   "expect": [{"is": "pass_throughs", "at_most": 0}]
 })";
 
-HardCase parsed(const json& scene) { return parse_hard_case(scene.dump(), "small.json"); }
+HardCase parsed(const json& scene) {
+    return parse_hard_case(scene.dump(), "small.json");
+}
 
 std::string complaint(const json& patch) {
     json scene = json::parse(small_scene);
@@ -41,11 +43,14 @@ std::string complaint(const json& patch) {
     return "";
 }
 
-// The author of a scene must see where it is wrong and what would be right; whatever it is must not run as something else.
+// The author of a scene must see where it is wrong and what would be right; whatever it is must not run as something
+// else.
 TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
     const std::pair<json, const char*> broken[] = {
-        {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"known", "it moves"}}}}}, "/expect/0: the key \"today\" is missing"},
-        {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"today", 1}}}}}, "/expect/0: \"today\" goes with \"known\" alone"},
+        {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"known", "it moves"}}}}},
+         "/expect/0: the key \"today\" is missing"},
+        {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"today", 1}}}}},
+         "/expect/0: \"today\" goes with \"known\" alone"},
         {{{"id", "other"}}, "/id: expected the file's name, \"small\""},
         {{{"holdz", json::array()}}, "/holdz: unknown key, did you mean \"holds\"?"},
         {{{"case", {"X1"}}}, "/case/0: expected \"E\" or \"T\" and a number"},
@@ -54,28 +59,38 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
         {{{"thread", {{"links", nullptr}}}}, "/thread: the key \"links\" is missing"},
         {{{"thread", {{"start", {{"shape", "curve"}}}}}}, "/thread/start: the key \"file\" is missing"},
         {{{"thread", {{"start", {{"shape", "curve"}, {"file", "nowhere.xyz"}}}}}}, "/thread/start/file: nowhere.xyz"},
-        {{{"thread", {{"start", {{"shape", "points"}, {"points_mm", {{0, 0, 0}, {0, 0, 0}}}}}}}}, "points 0 and 1 are the same place"},
+        {{{"thread", {{"start", {{"shape", "points"}, {"points_mm", {{0, 0, 0}, {0, 0, 0}}}}}}}},
+         "points 0 and 1 are the same place"},
         {{{"drill", "d.json"}}, "expected exactly one of the keys \"thread\" and \"drill\""},
         {{{"holds", {{{"nodes", {61}}}}}}, "/holds/0/nodes: expected less than the thread's 61 nodes, found 61"},
         {{{"holds", {{{"nodes", {"middle"}}}}}}, "/holds/0/nodes/0: expected a number, \"first\""},
-        {{{"holds", {{{"nodes", {1}}, {"keys", {{{"t_s", 1}}, {{"t_s", 1}}}}}}}}, "/holds/0/keys/1/t_s: expected later"},
+        {{{"holds", {{{"nodes", {1}}, {"keys", {{{"t_s", 1}}, {{"t_s", 1}}}}}}}},
+         "/holds/0/keys/1/t_s: expected later"},
         {{{"holds", {{{"nodes", {1}}, {"from_s", 1}, {"to_s", 0}}}}}, "/holds/0/to_s: expected not before from_s"},
         {{{"holds", {{{"nodes", {1}}, {"axis", {0, 0, 0}}}}}}, "/holds/0/axis: expected a direction"},
-        {{{"cuts", {{{"t_s", 0}, {"after", "last"}}}}}, "/cuts/0/after: expected less than the last of the thread's 61 nodes"},
+        {{{"cuts", {{{"t_s", 0}, {"after", "last"}}}}},
+         "/cuts/0/after: expected less than the last of the thread's 61 nodes"},
         {{{"tube", {{"wall_mm", 0.6}}}}, "/tube/wall_mm: expected less than half of diameter_mm"},
-        {{{"broken_input", {{{"input", "left"}, {"is", "nan"}}}}}, "/broken_input/0/input: expected \"holds\" or \"tools\""},
-        {{{"broken_input", {{{"input", "holds"}, {"is", "leap"}}}}}, "/broken_input/0/is: expected \"nan\" or \"infinite\""},
+        {{{"broken_input", {{{"input", "left"}, {"is", "nan"}}}}},
+         "/broken_input/0/input: expected \"holds\" or \"tools\""},
+        {{{"broken_input", {{{"input", "holds"}, {"is", "leap"}}}}},
+         "/broken_input/0/is: expected \"nan\" or \"infinite\""},
         {{{"expect", json::array()}}, "/expect: expected a list of 1 to 60 items, found 0"},
         {{{"expect", {{{"is", "good"}, {"at_most", 0}}}}}, "/expect/0/is"},
-        {{{"expect", {{{"is", "moved"}}}}}, "/expect/0: expected exactly one of the keys \"at_most\" and \"at_least\", found 0"},
-        {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"from_s", 1}}}}}, "/expect/0/from_s: expected less than duration_s"},
+        {{{"expect", {{{"is", "moved"}}}}},
+         "/expect/0: expected exactly one of the keys \"at_most\" and \"at_least\", found 0"},
+        {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"from_s", 1}}}}},
+         "/expect/0/from_s: expected less than duration_s"},
         {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"node", 99}}}}}, "/expect/0/node: expected less than"},
-        {{{"expect", {{{"is", "tool_moved"}, {"at_most", 1}, {"part", 1}}}}}, "/expect/0/part: expected less than the 1 tool parts"},
+        {{{"expect", {{{"is", "tool_moved"}, {"at_most", 1}, {"part", 1}}}}},
+         "/expect/0/part: expected less than the 1 tool parts"},
         {{{"expect", {{{"is", "knot_differs"}, {"at_most", 0}}}}}, "the key \"knot\" is missing"},
         {{{"expect", {{{"is", "events"}, {"at_most", 0}}}}}, "the key \"event\" is missing"},
         {{{"model", "elastic"}}, "/model: goes with \"drill\" alone"},
-        {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"model", "elastic"}}}}}, "/expect/0/model: expected that of a variant"},
-        {{{"variants", {{{"thread", {{"links", 0}}}}}}}, "/variants/0: makes /thread/links: expected 1 to 5000, found 0"},
+        {{{"expect", {{{"is", "moved"}, {"at_most", 1}, {"model", "elastic"}}}}},
+         "/expect/0/model: expected that of a variant"},
+        {{{"variants", {{{"thread", {{"links", 0}}}}}}},
+         "/variants/0: makes /thread/links: expected 1 to 5000, found 0"},
         {{{"variants", {1}}}, "/variants: expected a list of up to 20 objects"},
     };
     for (const auto& [patch, words] : broken) {
@@ -96,7 +111,9 @@ TEST_P(Motions, MoveAsTheirWaypointsSay) {
         if (file.extension() != ".waypoints") continue;
         const auto waypoints = scenarios::drill::load_waypoints(file);
         constexpr std::size_t most_bytes = 4 << 20;  // a quarter of an hour of five tools takes one
-        EXPECT_EQ(scenarios::drill::motion_text(waypoints.motion, waypoints.instruments), scenarios::drill::read_text(file.replace_extension(".csv"), most_bytes)) << file;
+        EXPECT_EQ(scenarios::drill::motion_text(waypoints.motion, waypoints.instruments),
+                  scenarios::drill::read_text(file.replace_extension(".csv"), most_bytes))
+            << file;
         ++count;
     }
     EXPECT_GT(count, 0);
@@ -104,8 +121,8 @@ TEST_P(Motions, MoveAsTheirWaypointsSay) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, Motions, testing::Values(CARREL_HARD_CASES, CARREL_DRILLS));
 
-// A condition that cannot fail proves nothing. Each kind, asked for less and for more than what it measures, must miss once
-// and only once; and be no number that every bound lets pass.
+// A condition that cannot fail proves nothing. Each kind, asked for less and for more than what it measures, must miss
+// once and only once; and be no number that every bound lets pass.
 TEST(HardCaseConditions, EachCanFail) {
     json scene = json::parse(small_scene);
     scene["expect"] = json::array();
@@ -146,7 +163,9 @@ TEST(HardCaseConditions, FiguresTellWhatHappens) {
     EXPECT_GT(measured({{"is", "tension_max"}}), 0);
     EXPECT_GT(measured({{"is", "moved"}, {"node", "first"}}), 1);
     EXPECT_LT(measured({{"is", "separation_measured"}}), 1.1);
-    EXPECT_GT(measured({{"is", "unbroken_differs"}}, {{"broken_input", {{{"input", "holds"}, {"is", "nan"}, {"from_s", 0.01}}}}}), 0);
+    EXPECT_GT(measured({{"is", "unbroken_differs"}},
+                       {{"broken_input", {{{"input", "holds"}, {"is", "nan"}, {"from_s", 0.01}}}}}),
+              0);
     EXPECT_EQ(measured({{"is", "hash_differs"}}), 0);
     EXPECT_EQ(measured({{"is", "mirrored_apart"}}), 0);
     const json elastic{{"thread", {{"model", "elastic"}}}, {"broken_input", json::array()}};
@@ -178,11 +197,15 @@ TEST(Stability, HasARowAConditionAndCountsTheWorstVariant) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "carrel-hard-cases";
     std::filesystem::create_directories(folder);
     json scene = json::parse(small_scene);
-    scene["variants"] = {{{"duration_s", 0.01}, {"broken_input", nullptr}}, {{"broken_input", {{{"input", "tools"}, {"is", "nan"}}}}}};
-    scene["expect"] = {{{"is", "not_finite_reported"}, {"at_most", 3}}, {{"is", "moved"}, {"at_least", 0}}, {{"is", "moved"}, {"at_least", 0}, {"node", 3}}};
+    scene["variants"] = {{{"duration_s", 0.01}, {"broken_input", nullptr}},
+                         {{"broken_input", {{{"input", "tools"}, {"is", "nan"}}}}}};
+    scene["expect"] = {{{"is", "not_finite_reported"}, {"at_most", 3}},
+                       {{"is", "moved"}, {"at_least", 0}},
+                       {{"is", "moved"}, {"at_least", 0}, {"node", 3}}};
     std::ofstream(folder / "small.json") << scene;
     std::vector<std::string> told;
-    const std::vector<Row> whole = hard_case_rows(folder, false, [&](const std::string& line) { told.push_back(line); });
+    const std::vector<Row> whole =
+        hard_case_rows(folder, false, [&](const std::string& line) { told.push_back(line); });
     ASSERT_EQ(whole.size(), 3u);
     EXPECT_EQ(told, std::vector<std::string>{"small"});
     EXPECT_EQ(whole[0].id, "small-not-finite-reported");

@@ -32,7 +32,8 @@ TEST_P(HardCases, EveryConditionHolds) {
     const HardCase hard_case = load_hard_case(GetParam());
     for (const Outcome& outcome : examine(hard_case, quick)) {
         const Condition& condition = outcome.condition;
-        EXPECT_TRUE(outcome.keeps(condition.today.value_or(condition.bound))) << told(outcome) << "\nIf not: " << hard_case.goes_wrong;
+        EXPECT_TRUE(outcome.keeps(condition.today.value_or(condition.bound)))
+            << told(outcome) << "\nIf not: " << hard_case.goes_wrong;
         const bool is_known = condition.today.has_value();
         EXPECT_FALSE(is_known && !quick && outcome.holds()) << told(outcome) << ", and holds now: \"known\" can go";
     }

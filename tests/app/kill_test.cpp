@@ -26,7 +26,8 @@ class Terminal {
     /// Simulated seconds that the progress bar has come to; negative before the first.
     double progress_s() {
         char bytes[4096];
-        for (ssize_t n; (n = ::read(master_, bytes, sizeof bytes)) > 0;) shown_.append(bytes, static_cast<std::size_t>(n));
+        for (ssize_t n; (n = ::read(master_, bytes, sizeof bytes)) > 0;)
+            shown_.append(bytes, static_cast<std::size_t>(n));
         const std::size_t end = shown_.rfind(" of "), begin = shown_.rfind("] ", end);
         return end == std::string::npos ? -1 : std::stod(shown_.substr(begin + 2));
     }

@@ -1,3 +1,5 @@
+#include "app/bench/laws.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,25 +7,26 @@
 
 #include "app/bench/capstan.hpp"
 #include "app/bench/clasp.hpp"
-#include "app/bench/laws.hpp"
 #include "app/bench/loose_overhand.hpp"
 #include "app/bench/tight_elastic.hpp"
 
-// The laws of the thread as the benchmark measures them, in short versions. A bound that `carrel bench stability` reports as
-// missed is not asserted here.
+// The laws of the thread as the benchmark measures them, in short versions. A bound that `carrel bench stability`
+// reports as missed is not asserted here.
 namespace {
 
 using namespace app::bench;
 
-// Friction that depends on the tick, the links or the angle would make a knot hold on one computer and slip on another. Links of one
-// and of half a thickness, at 250, 1000 and 4000 ticks a second: a seventh off the law is the bound of the suite.
+// Friction that depends on the tick, the links or the angle would make a knot hold on one computer and slip on another.
+// Links of one and of half a thickness, at 250, 1000 and 4000 ticks a second: a seventh off the law is the bound of the
+// suite.
 TEST(Laws, ThreadRoundACylinderObeysTheCapstanLaw) {
     for (const double turns : {0.25, 1.5})
         for (const double link : {1.0, 0.5})
             for (const double friction : {0.1, 0.2, 0.3})
                 for (const double tick : {4e-3, 1e-3, 0.25e-3}) {
                     const Capstan found = capstan({turns * 2 * std::numbers::pi, friction, tick, link});
-                    EXPECT_LT(found.deviation(), 0.15) << turns << " turns, links " << link << ", friction " << friction << ", tick " << tick << ": " << found.ratio;
+                    EXPECT_LT(found.deviation(), 0.15) << turns << " turns, links " << link << ", friction " << friction
+                                                       << ", tick " << tick << ": " << found.ratio;
                 }
 }
 
@@ -78,8 +81,8 @@ TEST(Laws, ImagesOfAThreadMoveAlike) {
     }
 }
 
-// A square knot that gives under a steady pull is no knot; one that holds without friction would hold by a fault. The sides
-// of its loop are pulled apart at 20 mm/s for eight seconds, in the first of which it tightens.
+// A square knot that gives under a steady pull is no knot; one that holds without friction would hold by a fault. The
+// sides of its loop are pulled apart at 20 mm/s for eight seconds, in the first of which it tightens.
 TEST(Laws, ASquareKnotHoldsByItsFriction) {
     const Held with = hold_knot(Knot::square, 0.3, 8), without = hold_knot(Knot::square, 0, 1);
     EXPECT_LT(with.slip, 0.1);

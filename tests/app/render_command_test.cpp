@@ -32,7 +32,8 @@ TEST(RenderCommand, DrawsARecordingAtATime) {
     // The left tool comes 8 mm nearer in 0.2 s.
     std::string motion = still::motion("0.2");
     motion.replace(motion.find("37", motion.find("0.2,left")), 2, "29");
-    ASSERT_EQ(program::run({"run", still::drill, "--input", folder.write("m.csv", motion), "--record", recording}).exit, 0);
+    ASSERT_EQ(program::run({"run", still::drill, "--input", folder.write("m.csv", motion), "--record", recording}).exit,
+              0);
     const auto rendered = [&](const std::string& name, const std::string& seconds) {
         const auto ending = program::run({"render", recording, "--at", seconds, "--out", folder.path(name)});
         EXPECT_EQ(ending.exit, 0);
@@ -44,10 +45,12 @@ TEST(RenderCommand, DrawsARecordingAtATime) {
     EXPECT_EQ(begin.height, 640u);
     ASSERT_EQ(begin.rgb.size(), 3u * 960 * 640);
     std::set<std::array<unsigned char, 3>> colors;
-    for (std::size_t i = 0; i < begin.rgb.size(); i += 3) colors.insert({begin.rgb[i], begin.rgb[i + 1], begin.rgb[i + 2]});
+    for (std::size_t i = 0; i < begin.rgb.size(); i += 3)
+        colors.insert({begin.rgb[i], begin.rgb[i + 1], begin.rgb[i + 2]});
     EXPECT_GT(colors.size(), 1000u);  // lit steel and tissue; an empty scene has a few dozen greys
     EXPECT_NE(begin.rgb, end.rgb);
-    EXPECT_EQ(program::read(folder.path("begin.png")), (rendered("again.png", "0"), program::read(folder.path("again.png"))));
+    EXPECT_EQ(program::read(folder.path("begin.png")),
+              (rendered("again.png", "0"), program::read(folder.path("again.png"))));
     // A drill's start is the same scene as that of the recording of it, whatever is written before it.
     ASSERT_EQ(program::run({"render", still::drill, "--out", folder.path("drill.png")}).exit, 0);
     EXPECT_EQ(decoded(folder.path("drill.png")).rgb, begin.rgb);
@@ -64,7 +67,8 @@ TEST(RenderCommand, RefusesWhatCannotBeDrawn) {
         program::expect_one_line_naming(blamed, program::run(call));
         EXPECT_FALSE(std::filesystem::exists(png)) << "a picture was begun";
     };
-    for (const char* moment : {"-1", "1e9", "nan", "inf", "soon"}) expect_refused("--at", {"--at", moment, "--out", png});
+    for (const char* moment : {"-1", "1e9", "nan", "inf", "soon"})
+        expect_refused("--at", {"--at", moment, "--out", png});
     expect_refused("--close", {"--close", "--out", png});  // nothing is tied yet
     expect_refused("--size", {"--size", "9", "--out", png});
     expect_refused("--out", {});

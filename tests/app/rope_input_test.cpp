@@ -2,9 +2,9 @@
 
 #include "tests/program.hpp"
 
-// Every command is given what disks, hurried people and other programs leave behind, through the real program. A crash, a
-// hang, a page of text or a line that does not name the file would leave a user with nothing to go on. To cover another
-// command, add its lines to `cases()`.
+// Every command is given what disks, hurried people and other programs leave behind, through the real program. A crash,
+// a hang, a page of text or a line that does not name the file would leave a user with nothing to go on. To cover
+// another command, add its lines to `cases()`.
 namespace {
 
 namespace fs = std::filesystem;
@@ -13,12 +13,17 @@ using program::Folder;
 using program::junk;
 
 /// A person waits no longer for an error message.
-program::Ending run(const std::vector<std::string>& call) { return program::run(call, std::chrono::seconds(10)); }
+program::Ending run(const std::vector<std::string>& call) {
+    return program::run(call, std::chrono::seconds(10));
+}
 
 const std::string curve = "0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
 const std::string overhand =
-    "7.03 5.62 0.43\n2.29 1.83 0.43\n1.48 2.06 0.93\n0.50 1.81 0.93\n-0.43 1.10 0.43\n-1.08 0.05 -0.30\n-1.33 -1.11 -0.87\n-1.13 -2.15 -0.97\n-0.58 -2.82 -0.56\n0.15 -2.99 0.15\n0.83 -2.61 0.78\n1.26 -1.77 1.00\n1.28 -0.65 0.68\n"
-    "0.87 0.50 0.00\n0.08 1.44 -0.68\n-0.90 1.97 -1.00\n-1.84 2.02 -0.78\n-2.51 1.62 -0.15\n-2.73 0.91 0.56\n-2.43 0.10 0.97\n-1.63 -0.59 0.87\n-0.50 -0.97 0.30\n0.74 -0.92 -0.43\n1.82 -0.48 -0.93\n2.53 0.25 -0.93\n2.73 1.07 -0.43\n8.38 3.28 -0.43\n";
+    "7.03 5.62 0.43\n2.29 1.83 0.43\n1.48 2.06 0.93\n0.50 1.81 0.93\n-0.43 1.10 0.43\n-1.08 0.05 -0.30\n-1.33 -1.11 "
+    "-0.87\n-1.13 -2.15 -0.97\n-0.58 -2.82 -0.56\n0.15 -2.99 0.15\n0.83 -2.61 0.78\n1.26 -1.77 1.00\n1.28 -0.65 0.68\n"
+    "0.87 0.50 0.00\n0.08 1.44 -0.68\n-0.90 1.97 -1.00\n-1.84 2.02 -0.78\n-2.51 1.62 -0.15\n-2.73 0.91 0.56\n-2.43 "
+    "0.10 0.97\n-1.63 -0.59 0.87\n-0.50 -0.97 0.30\n0.74 -0.92 -0.43\n1.82 -0.48 -0.93\n2.53 0.25 -0.93\n2.73 1.07 "
+    "-0.43\n8.38 3.28 -0.43\n";
 const std::string header = "t_s,node,x_mm,y_mm,z_mm\n";
 const std::string motion = header + "0,first,0,0,0\n0.01,first,-1,0,0\n";
 
@@ -44,8 +49,14 @@ std::vector<std::pair<std::string, std::string>> broken_bytes() {
 
 // The three places of a command line where a file stands, with good ones beside it.
 void add_everywhere(std::vector<Case>& cases, const std::string& what, const std::string& bytes) {
-    cases.push_back({"rope, curve: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "c.csv", {{"c.csv", bytes}, {"m.csv", motion}}});
-    cases.push_back({"rope, motion: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "m.csv", {{"c.csv", curve}, {"m.csv", bytes}}});
+    cases.push_back({"rope, curve: " + what,
+                     {"rope", "@c.csv", "--motion", "@m.csv"},
+                     "c.csv",
+                     {{"c.csv", bytes}, {"m.csv", motion}}});
+    cases.push_back({"rope, motion: " + what,
+                     {"rope", "@c.csv", "--motion", "@m.csv"},
+                     "m.csv",
+                     {{"c.csv", curve}, {"m.csv", bytes}}});
     cases.push_back({"rope, obstacle: " + what,
                      {"rope", "@c.csv", "--motion", "@m.csv", "--obstacle", "@o.obj"},
                      "o.obj",
@@ -57,7 +68,10 @@ void add_everywhere(std::vector<Case>& cases, const std::string& what, const std
 std::vector<Case> rope_cases() {
     std::vector<Case> cases;
     const auto with_curve = [&](const std::string& what, const std::string& text) {
-        cases.push_back({"rope, curve: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "c.csv", {{"c.csv", text}, {"m.csv", motion}}});
+        cases.push_back({"rope, curve: " + what,
+                         {"rope", "@c.csv", "--motion", "@m.csv"},
+                         "c.csv",
+                         {{"c.csv", text}, {"m.csv", motion}}});
     };
     with_curve("one vertex", "1 2 3\n");
     with_curve("NaN", "0 0 0\nnan 0 0\n");
@@ -73,7 +87,10 @@ std::vector<Case> rope_cases() {
     with_curve("in another galaxy", "0 0 0\n1e300 0 0\n");
 
     const auto with_motion = [&](const std::string& what, const std::string& text) {
-        cases.push_back({"rope, motion: " + what, {"rope", "@c.csv", "--motion", "@m.csv"}, "m.csv", {{"c.csv", curve}, {"m.csv", text}}});
+        cases.push_back({"rope, motion: " + what,
+                         {"rope", "@c.csv", "--motion", "@m.csv"},
+                         "m.csv",
+                         {{"c.csv", curve}, {"m.csv", text}}});
     };
     with_motion("header alone", header);
     with_motion("no header", "0,first,0,0,0\n");
@@ -92,7 +109,8 @@ std::vector<Case> rope_cases() {
     with_motion("escape characters", header + "0,\x1b[31m\r\x07,0,0,0\n");
     with_motion("a year", header + "0,first,0,0,0\n31536000,first,1,0,0\n");
 
-    const auto with_options = [&](const std::string& what, const std::string& blamed, std::vector<std::string> options) {
+    const auto with_options = [&](const std::string& what, const std::string& blamed,
+                                  std::vector<std::string> options) {
         options.insert(options.begin(), {"rope", "@c.csv", "--motion", "@m.csv"});
         cases.push_back({"rope: " + what, options, blamed, {{"c.csv", curve}, {"m.csv", motion}}});
     };
@@ -110,9 +128,15 @@ std::vector<Case> rope_cases() {
     with_options("weight of a thread that has none", "--gravity", {"--gravity"});
     with_options("positions into a folder that is not there", "nowhere", {"--out", "@nowhere/x.jsonl"});
     with_options("an obstacle of another kind", "m.csv", {"--obstacle", "@m.csv"});
-    cases.push_back({"rope: so few links that the knot is gone", {"rope", "@c.csv", "--motion", "@m.csv", "--links", "8"}, "c.csv", {{"c.csv", overhand}, {"m.csv", motion}}});
-    cases.push_back({"rope: a start through the obstacle", {"rope", "@c.csv", "--motion", "@m.csv", "--obstacle", "@o.obj"}, "c.csv",
-                     {{"c.csv", curve}, {"m.csv", motion}, {"o.obj", "v 1.5 -1 -1\nv 1.5 1 -1\nv 1.5 0 2\nf 1 2 3\n"}}});
+    cases.push_back({"rope: so few links that the knot is gone",
+                     {"rope", "@c.csv", "--motion", "@m.csv", "--links", "8"},
+                     "c.csv",
+                     {{"c.csv", overhand}, {"m.csv", motion}}});
+    cases.push_back(
+        {"rope: a start through the obstacle",
+         {"rope", "@c.csv", "--motion", "@m.csv", "--obstacle", "@o.obj"},
+         "c.csv",
+         {{"c.csv", curve}, {"m.csv", motion}, {"o.obj", "v 1.5 -1 -1\nv 1.5 1 -1\nv 1.5 0 2\nf 1 2 3\n"}}});
     return cases;
 }
 
@@ -124,7 +148,8 @@ std::vector<Case> drill_cases() {
         };
         with("cut in the middle", R"({"carrel_drill": 1, "title": "Squa)");
         with("NaN", R"({"carrel_drill": 1, "title": "x", "thread": {"size": "6-0", "length_mm": NaN}})");
-        with("a billion links", R"({"carrel_drill": 1, "title": "x", "thread": {"size": "6-0", "length_mm": 150, "links": 1e9}})");
+        with("a billion links",
+             R"({"carrel_drill": 1, "title": "x", "thread": {"size": "6-0", "length_mm": 150, "links": 1e9}})");
         with("an unknown key", R"({"carrel_drill": 1, "titel": "x"})");
         with("a later version", R"({"carrel_drill": 1000000})");
         with("a million brackets", std::string(1000000, '['));
@@ -176,16 +201,22 @@ TEST(BadInput, APathThatIsNoFileGetsOneLineThatNamesIt) {
 // The good files that stand beside the broken ones: were they refused too, every case above would pass for nothing.
 TEST(BadInput, TheGoodFilesBesideThemAreTaken) {
     const Folder folder;
-    const program::Ending ending = run({"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", motion)});
+    const program::Ending ending =
+        run({"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", motion)});
     EXPECT_EQ(ending.exit, 0) << ending.said;
     EXPECT_EQ(ending.said, "");
 }
 
-// A motion that ends within a tick would let go in its last one: the taut thread leaps, and that it lags would not be told.
+// A motion that ends within a tick would let go in its last one: the taut thread leaps, and that it lags would not be
+// told.
 TEST(Rope, HoldsToTheEndOfAMotionThatEndsWithinATick) {
     const Folder folder;
-    const std::string ends_within = header + "0,first,0,0,0\n0.0995,first,0,0,12\n0,last,3,0,0\n0.0995,last,3,0,12\n", dump = folder.path("d.jsonl");
-    ASSERT_EQ(run({"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", ends_within), "--thread", "elastic", "--out", dump}).exit, 0);
+    const std::string ends_within = header + "0,first,0,0,0\n0.0995,first,0,0,12\n0,last,3,0,0\n0.0995,last,3,0,12\n",
+                      dump = folder.path("d.jsonl");
+    ASSERT_EQ(run({"rope", folder.write("c.csv", curve), "--motion", folder.write("m.csv", ends_within), "--thread",
+                   "elastic", "--out", dump})
+                  .exit,
+              0);
     const std::string text = program::read(dump), end = text.substr(text.rfind("\"tick\""));
     EXPECT_NE(end.find("[[0.0,0.0,12.0]"), std::string::npos) << end;
 }

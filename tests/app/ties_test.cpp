@@ -1,8 +1,9 @@
+#include "app/bench/ties.hpp"
+
 #include <gtest/gtest.h>
 
 #include "app/bench/hands.hpp"
 #include "app/bench/hitches.hpp"
-#include "app/bench/ties.hpp"
 #include "sim/knot/namer.hpp"
 
 namespace {
@@ -39,11 +40,12 @@ TEST(Ties, TheSameSeedGivesTheSameBits) {
 
 }  // namespace
 
-// The seed paper's figures. Pulled tight round a bar they are called by their names all the way, a cow hitch and a prusik too,
-// which with their ends joined are not linked with the bar.
+// The seed paper's figures. Pulled tight round a bar they are called by their names all the way, a cow hitch and a
+// prusik too, which with their ends joined are not linked with the bar.
 TEST(Ties, BowlineAndHitchesAreNamedRoundABar) {
     for (const char* curve : {"p129", "p135", "p137", "p138"}) {
-        const app::bench::OnBar tied = app::bench::hitch_on_bar(std::string(CARREL_SOURCE) + "/tests/data/curves", curve);
+        const app::bench::OnBar tied =
+            app::bench::hitch_on_bar(std::string(CARREL_SOURCE) + "/tests/data/curves", curve);
         EXPECT_EQ(tied.last, tied.expected);
         EXPECT_EQ(tied.other, 0) << tied.expected;
         EXPECT_EQ(tied.pass_throughs, 0) << tied.expected;

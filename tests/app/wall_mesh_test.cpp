@@ -1,4 +1,5 @@
-// Vessels that give way from meshes as people have them, from clean to broken: each is a run, or one line that says what is wrong with it.
+// Vessels that give way from meshes as people have them, from clean to broken: each is a run, or one line that says
+// what is wrong with it.
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -49,7 +50,8 @@ const char* const motion =
 
 std::string drill(const std::string& sha, const std::string& wall) {
     return R"({"carrel_drill": 1, "title": "A mesh that gives way", "thread": {"length_mm": 6, "links": 12, "start_mm": [[0, -20, 30], [6, -20, 30]]},
- "vessels": [{"name": "ring", "mesh": {"file": "vessel.obj", "sha256": ")" + sha + "\"" + wall + R"(}}],
+ "vessels": [{"name": "ring", "mesh": {"file": "vessel.obj", "sha256": ")" +
+           sha + "\"" + wall + R"(}}],
  "instruments": [{"name": "tool", "kind": "forceps"}], "effects": {"tissue": "elastic", "bending": false}, "motion": "motion.csv", "time_limit_s": 5})";
 }
 
@@ -60,19 +62,24 @@ std::string outcome(const std::string& obj, const std::string& wall = ", \"wall_
     folder.write("motion.csv", motion);
     const std::string wrong(64, '0'), file = folder.write("drill.json", drill(wrong, wall));
     const std::string told = program::run({"validate", file}).said;
-    if (told.find("/sha256") != std::string::npos) folder.write("drill.json", drill(told.substr(told.size() - 65, 64), wall));
+    if (told.find("/sha256") != std::string::npos)
+        folder.write("drill.json", drill(told.substr(told.size() - 65, 64), wall));
     std::vector<std::string> said;
     for (const std::string command : {"validate", "run"}) {
         const auto ending = program::run({command, file});
         EXPECT_TRUE(ending.in_time && ending.signal == 0) << command;
         said.push_back(ending.exit == 0 ? "runs" : ending.said);
-        if (ending.exit != 0) program::expect_one_line_naming(told.find("/sha256") != std::string::npos ? folder.path("vessel.obj") : file, ending);
+        if (ending.exit != 0)
+            program::expect_one_line_naming(
+                told.find("/sha256") != std::string::npos ? folder.path("vessel.obj") : file, ending);
     }
     EXPECT_EQ(said[0], said[1]) << "what validate lets pass, runs";
     return said[0].substr(said[0].find("error: ") == std::string::npos ? 0 : said[0].find("error: ") + 7);
 }
 
-void expect_said(const std::string& words, const std::string& said) { EXPECT_NE(said.find(words), std::string::npos) << words << "\nsaid: " << said; }
+void expect_said(const std::string& words, const std::string& said) {
+    EXPECT_NE(said.find(words), std::string::npos) << words << "\nsaid: " << said;
+}
 
 TEST(WallMesh, RunsOrSaysWhatIsWrong) {
     const Surface closed = bent_tube(true), open = bent_tube(false);

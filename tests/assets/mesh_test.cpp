@@ -96,9 +96,12 @@ TEST(Meshes, ABadFileIsOneClearLine) {
     EXPECT_TRUE(has(error_in(ply + "3\n" + axes, "bad.ply"), "end_header"));
     EXPECT_TRUE(has(error_in(ply + "999999999\n" + axes + "end_header\n0 0\n", "bad.ply"), "999999999"));
     EXPECT_FALSE(error_in(ply + "3\n" + axes + "end_header\n0 0\n", "bad.ply").empty());
-    const std::string face = axes + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 ";
+    const std::string face =
+        axes + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 ";
     EXPECT_EQ(error_in(ply + "3\n" + face + "2\n", "good.ply"), "");
-    for (const std::string corner : {"3", "999999", "-1"}) EXPECT_TRUE(has(error_in(ply + "3\n" + face + corner + "\n", "bad.ply"), "a corner that does not exist")) << corner;
+    for (const std::string corner : {"3", "999999", "-1"})
+        EXPECT_TRUE(has(error_in(ply + "3\n" + face + corner + "\n", "bad.ply"), "a corner that does not exist"))
+            << corner;
     EXPECT_FALSE(error_in(square).empty());
     EXPECT_FALSE(error_in(square + "f 1 2 9\n").empty());
     EXPECT_TRUE(has(error_in("v nan 0 0\nv 5 0 0\nv 5 5 0\nf 1 2 3\n"), "not a finite number"));

@@ -135,4 +135,6 @@ class BulletRope : public app::bench::Rope {
 
 }  // namespace
 
-int main(int argc, char** argv) { return peer::run<BulletRope>(argc, argv); }
+int main(int argc, char** argv) {
+    return peer::run<BulletRope>(argc, argv);
+}

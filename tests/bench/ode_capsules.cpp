@@ -45,12 +45,13 @@ class OdeRope : public app::bench::Rope {
   private:
     void set_up_world() {
         world_ = dWorldCreate();
-        space_ = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);  // along the rope first; a hash makes ticks 1.6 times as long
+        space_ = dSweepAndPruneSpaceCreate(
+            nullptr, dSAP_AXES_XYZ);  // along the rope first; a hash makes ticks 1.6 times as long
         contacts_ = dJointGroupCreate(0);
         dWorldSetGravity(world_, 0, 0, 0);
         dWorldSetERP(world_, settings_.error_reduction);
-        dWorldSetCFM(world_, 1e-9);                // stiff joints; at 0 the solver's rows could be singular
-        dWorldSetContactSurfaceLayer(world_, 0);   // strands may touch, not overlap
+        dWorldSetCFM(world_, 1e-9);               // stiff joints; at 0 the solver's rows could be singular
+        dWorldSetContactSurfaceLayer(world_, 0);  // strands may touch, not overlap
         dWorldSetQuickStepNumIterations(world_, settings_.iterations);
         dWorldSetLinearDamping(world_, settings_.linear_damping * def_.tick);
         dWorldSetAngularDamping(world_, settings_.angular_damping * def_.tick);
@@ -78,12 +79,14 @@ class OdeRope : public app::bench::Rope {
     dJointID join(dBodyID a, dBodyID b, const Vec3& place) {
         dJointID joint = dJointCreateBall(world_, nullptr);
         dJointAttach(joint, a, b);
-        dJointSetBallAnchor(joint, place.x() * settings_.scale, place.y() * settings_.scale, place.z() * settings_.scale);
+        dJointSetBallAnchor(joint, place.x() * settings_.scale, place.y() * settings_.scale,
+                            place.z() * settings_.scale);
         return joint;
     }
 
     void move(dJointID hand, const Vec3& place) const {
-        dJointSetBallAnchor2(hand, place.x() * settings_.scale, place.y() * settings_.scale, place.z() * settings_.scale);
+        dJointSetBallAnchor2(hand, place.x() * settings_.scale, place.y() * settings_.scale,
+                             place.z() * settings_.scale);
     }
 
     static void meet(void* self, dGeomID a, dGeomID b) {

@@ -19,11 +19,13 @@ struct Settings {
     double mass = 0.02;           ///< Of the rope [kg].
     double linear_damping = 0.1;  ///< [1/s] Enough for the rope to come to rest.
     double angular_damping = 1;   ///< [1/s]
-    double error_reduction = 0.5; ///< Share of a joint's error undone in a tick; at the usual 0.2 links grow twice as long.
-    int iterations = 10;          ///< Bullet's own number, half of ODE's. Fifty halve the stretch for thrice the cost.
+    double error_reduction =
+        0.5;              ///< Share of a joint's error undone in a tick; at the usual 0.2 links grow twice as long.
+    int iterations = 10;  ///< Bullet's own number, half of ODE's. Fifty halve the stretch for thrice the cost.
 };
 
-/// Links nearer along the rope than half a turn of the tightest bend may not collide; app::bench::Gauge leaves out the same.
+/// Links nearer along the rope than half a turn of the tightest bend may not collide; app::bench::Gauge leaves out the
+/// same.
 inline int neighbours(const PullDef& def) {
     return static_cast<int>(std::ceil(0.5 * M_PI * def.thickness() / def.link())) + 1;
 }

@@ -32,8 +32,8 @@ struct WildHand {
     }
 };
 
-// No motion is so wild that thread passes through thread, steel or vessel, or grows: a trainee will find the one that does.
-// 0.1 m/s is a quick instrument, 1 m/s a quick open hand.
+// No motion is so wild that thread passes through thread, steel or vessel, or grows: a trainee will find the one that
+// does. 0.1 m/s is a quick instrument, 1 m/s a quick open hand.
 TEST(Chaos, WildHandsNeverBreakTheThread) {
     const auto drill = scenarios::drill::load_drill(CARREL_SOURCE "/scenarios/drills/square-knot.json");
     const auto meshes = app::vessel_meshes(drill.world);

@@ -44,7 +44,9 @@ constexpr const char* motion = R"(t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw
 2,blades,-6,0,-2,0,0.7071067811865476,0.7071067811865476,0,0
 )";
 
-int run(const std::string& arguments) { return WEXITSTATUS(std::system((std::string(CARREL_PROGRAM) + " " + arguments).c_str())); }
+int run(const std::string& arguments) {
+    return WEXITSTATUS(std::system((std::string(CARREL_PROGRAM) + " " + arguments).c_str()));
+}
 
 // What a session broke and cut its replay must break and cut, at the same tick and place.
 TEST(Drills, ABrokenAndCutThreadIsReplayedToTheSameBits) {
@@ -56,11 +58,14 @@ TEST(Drills, ABrokenAndCutThreadIsReplayedToTheSameBits) {
         text.replace(text.find("MODEL"), 5, model);
         std::ofstream(dir / "drill.json") << text;
         std::ofstream(dir / "motion.csv") << motion;
-        ASSERT_EQ(run("run " + (dir / "drill.json").string() + " --json --record " + (dir / "session.carrel").string() + " > " + (dir / "result.json").string()), 0);
+        ASSERT_EQ(run("run " + (dir / "drill.json").string() + " --json --record " + (dir / "session.carrel").string() +
+                      " > " + (dir / "result.json").string()),
+                  0);
         const auto result = nlohmann::json::parse(std::ifstream(dir / "result.json"));
         EXPECT_EQ(result["thread"]["pass_throughs"], 0);
         const auto count = [&](const std::string& kind) {
-            return std::count_if(result["events"].begin(), result["events"].end(), [&](const auto& event) { return event["kind"] == kind; });
+            return std::count_if(result["events"].begin(), result["events"].end(),
+                                 [&](const auto& event) { return event["kind"] == kind; });
         };
         EXPECT_EQ(count("break"), 1) << result["events"];
         EXPECT_EQ(count("cut"), 1) << result["events"];

@@ -25,7 +25,9 @@ struct Played {
     nlohmann::json result;
 };
 
-int run(const std::string& arguments) { return WEXITSTATUS(std::system((std::string(CARREL_PROGRAM) + " " + arguments).c_str())); }
+int run(const std::string& arguments) {
+    return WEXITSTATUS(std::system((std::string(CARREL_PROGRAM) + " " + arguments).c_str()));
+}
 
 // Of each test its own: two of one drill run at once, and wrote into each other's recording.
 fs::path scratch(const std::string& drill) {
@@ -66,15 +68,16 @@ void expect_sound(const nlohmann::json& result) {
 }
 
 // A second process must reach the same bits, and a recording that was tampered with must not. Under the sanitizers,
-// where a drill takes ten times as long, its hash says that it is the run which the shipped build replays, and the replay
-// of the forged recording and those of killed sessions look for wrong memory.
+// where a drill takes ten times as long, its hash says that it is the run which the shipped build replays, and the
+// replay of the forged recording and those of killed sessions look for wrong memory.
 void expect_replays(const std::string& drill) {
     if (sanitized) return;
     const std::string file = (scratch(drill) / "session.carrel").string();
     EXPECT_EQ(run("replay --verify " + file + " 2> /dev/null"), 0);
 }
 
-// A recording is proof only if a changed one is found out, and where: `change` is of one row, and the error names `what`.
+// A recording is proof only if a changed one is found out, and where: `change` is of one row, and the error names
+// `what`.
 void expect_tampering_is_found(const std::string& drill, const std::string& change, const std::string& what) {
     const fs::path forged = scratch(drill) / "forged.carrel", said = scratch(drill) / "forged.txt";
     fs::copy_file(scratch(drill) / "session.carrel", forged, fs::copy_options::overwrite_existing);
@@ -89,8 +92,8 @@ void expect_tampering_is_found(const std::string& drill, const std::string& chan
     EXPECT_NE(text.str().find(what), std::string::npos) << text.str();
 }
 
-// What a drill comes to; `hash` is of its last tick. The shipped and the sanitized build, and any machine, must come to the
-// same bits: it changes only with the simulation.
+// What a drill comes to; `hash` is of its last tick. The shipped and the sanitized build, and any machine, must come to
+// the same bits: it changes only with the simulation.
 nlohmann::json expect_tied(const std::string& drill, const std::string& knot, const std::string& throws, bool passed,
                            const std::string& hash) {
     const Played played = play(drill);
@@ -111,13 +114,14 @@ fs::path motion_until(const std::string& drill, double until, const std::string&
     std::ofstream out(part);
     std::string line;
     while (std::getline(whole, line) && (!std::isdigit(line[0]) || std::stod(line) <= until))
-        if (idle.empty() || line.starts_with("0,") || line.find("," + idle + ",") == std::string::npos) out << line << '\n';
+        if (idle.empty() || line.starts_with("0,") || line.find("," + idle + ",") == std::string::npos)
+            out << line << '\n';
     return part;
 }
 
-// Two wraps in one throw: three times as much thread rubs on itself while it is drawn flat. The longest test of all, and the
-// first here because the first is started first. All of it takes five minutes under the sanitizers: there its double throw
-// alone is thrown and drawn on.
+// Two wraps in one throw: three times as much thread rubs on itself while it is drawn flat. The longest test of all,
+// and the first here because the first is started first. All of it takes five minutes under the sanitizers: there its
+// double throw alone is thrown and drawn on.
 TEST(Drills, SurgeonsIsTiedNamedAndReplayed) {
     if (!sanitized) {
         expect_tied("surgeons-knot", "surgeon's", "2=1", true, "fd20248992722de8");
@@ -135,14 +139,20 @@ TEST(Drills, SquareIsTiedNamedAndReplayed) {
 
 TEST(Drills, AForgedRecordingIsFoundOut) {
     EXPECT_EQ(play("square-knot", "--input " + motion_until("square-knot", 1.5).string()).exit, 0);
-    expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 1000", "1000");
-    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 1 WHERE name = 'knot'", "recorded knot (Knot) none, asked \"square\", passed");
-    expect_tampering_is_found("square-knot", "UPDATE score SET band = 'at most 900' WHERE name = 'time'", "asked \"at most 900\"");
-    expect_tampering_is_found("square-knot", "UPDATE event SET t_s = t_s + 1 WHERE rowid = 1", "the events differ, recorded ");
-    expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'", "replayed pass_throughs");
+    expect_tampering_is_found("square-knot", "UPDATE state_hash SET hash = '0123456789abcdef' WHERE tick = 1000",
+                              "1000");
+    expect_tampering_is_found("square-knot", "UPDATE score SET passed = 1 WHERE name = 'knot'",
+                              "recorded knot (Knot) none, asked \"square\", passed");
+    expect_tampering_is_found("square-knot", "UPDATE score SET band = 'at most 900' WHERE name = 'time'",
+                              "asked \"at most 900\"");
+    expect_tampering_is_found("square-knot", "UPDATE event SET t_s = t_s + 1 WHERE rowid = 1",
+                              "the events differ, recorded ");
+    expect_tampering_is_found("square-knot", "DELETE FROM score WHERE name = 'pass_throughs'",
+                              "replayed pass_throughs");
 }
 
-// The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips. The sanitizers see the square.
+// The same two throws without crossing hands: a drill that calls this a square knot would teach a knot that slips. The
+// sanitizers see the square.
 TEST(Drills, GrannyFailsItsGoalAndSaysWhy) {
     if (sanitized) GTEST_SKIP();
     const auto result = expect_tied("granny-knot", "granny", "1x1", false, "af7bf754e519d5d0");
@@ -152,7 +162,8 @@ TEST(Drills, GrannyFailsItsGoalAndSaysWhy) {
         }
 }
 
-// The elastic thread stretches by its material. Shipped and sanitized builds must come to the same bits where both play.
+// The elastic thread stretches by its material. Shipped and sanitized builds must come to the same bits where both
+// play.
 void expect_elastic_is_sound(const nlohmann::json& result) {
     EXPECT_EQ(result["thread"]["pass_throughs"], 0);
     EXPECT_LE(result["thread"]["stretch"]["max"].get<double>(), 0.1);
@@ -178,7 +189,8 @@ TEST(Drills, AnElasticSquareIsTiedNamedAndReplayed) {
 TEST(Drills, ASingleBiteIsTakenAndReplayed) {
     const Played played = play("single-bite", sanitized ? "--input " + motion_until("single-bite", 4).string() : "");
     EXPECT_EQ(played.exit, 0);
-    EXPECT_EQ(played.result["passed"], !sanitized) << "a bite holds once the thread is drawn into it, which the sanitizers do not wait for";
+    EXPECT_EQ(played.result["passed"], !sanitized)
+        << "a bite holds once the thread is drawn into it, which the sanitizers do not wait for";
     expect_sound(played.result);
     if (!sanitized) {
         EXPECT_EQ(played.result["state_hash"], "d9610cbfa60ea378");
@@ -207,23 +219,30 @@ TEST(Drills, ABiteWhoseThreadIsDrawnOutHoldsNothing) {
     drill.erase("motion");
     const fs::path file = scratch("short") / "short.json", out = scratch("short") / "result.json";
     std::ofstream(file) << drill;
-    EXPECT_EQ(run("run " + file.string() + " --input " CARREL_SOURCE "/scenarios/drills/single-bite.csv --json > " + out.string()), 0);
+    EXPECT_EQ(run("run " + file.string() + " --input " CARREL_SOURCE "/scenarios/drills/single-bite.csv --json > " +
+                  out.string()),
+              0);
     const Played played{0, nlohmann::json::parse(std::ifstream(out), nullptr, false)};
     EXPECT_EQ(events_of(played)["drawn"], 2);
     EXPECT_EQ(value_of(played, "bites"), "0");
     EXPECT_EQ(played.result["passed"], false);
 }
 
-// A free edge gives way to the needle, which goes over it: held by nothing it is missed, and the resident learns where and what to do.
+// A free edge gives way to the needle, which goes over it: held by nothing it is missed, and the resident learns where
+// and what to do.
 TEST(Drills, AMissedBiteSaysWhereTheNeedleSlipped) {
-    const Played played = play("single-bite", "--input " + motion_until("single-bite", sanitized ? 2 : 5, "left").string());
+    const Played played =
+        play("single-bite", "--input " + motion_until("single-bite", sanitized ? 2 : 5, "left").string());
     EXPECT_EQ(value_of(played, "bites"), "0") << "the other has no thread in it yet";
     const auto& items = played.result["items"];
-    const auto bites = std::find_if(items.begin(), items.end(), [](const auto& item) { return item["name"] == "bites"; });
-    EXPECT_EQ(bites->at("why").template get<std::string>().substr(0, 55), "The needle slipped off the edge of left-end at 1.69 s: ");
+    const auto bites =
+        std::find_if(items.begin(), items.end(), [](const auto& item) { return item["name"] == "bites"; });
+    EXPECT_EQ(bites->at("why").template get<std::string>().substr(0, 55),
+              "The needle slipped off the edge of left-end at 1.69 s: ");
 }
 
-// Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; its beginning is single-bite's, which the sanitizers see.
+// Bitten, handed from tip to tail, tied, cut: one stitch from end to end. A minute and more; its beginning is
+// single-bite's, which the sanitizers see.
 TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
     if (sanitized) GTEST_SKIP();
     const Played played = play("interrupted-stitch");
@@ -240,19 +259,24 @@ TEST(Drills, AnInterruptedStitchIsTakenTiedAndCut) {
     EXPECT_EQ(count["torn"] + count["break"], 0);
 }
 
-// The first two of eight bites, an eighth of a turn apart, each led by a frame of its own: all of it takes eight minutes.
+// The first two of eight bites, an eighth of a turn apart, each led by a frame of its own: all of it takes eight
+// minutes.
 TEST(Drills, ARunningSutureGoesRoundTheVessel) {
     const double until = sanitized ? 2.5 : 40;  // under the sanitizers the needle through the first wall
-    const Played played = play("end-to-end-running", "--input " + motion_until("end-to-end-running", until).string() + " --out " + scratch("end-to-end-running").string());
+    const Played played = play("end-to-end-running", "--input " + motion_until("end-to-end-running", until).string() +
+                                                         " --out " + scratch("end-to-end-running").string());
     EXPECT_EQ(played.result["thread"]["pass_throughs"], 0);
     auto count = events_of(played);
-    for (const char* kind : {"pierced", "through", "drawn"}) EXPECT_EQ(count[kind], sanitized ? kind[0] != 'd' : 4) << kind;
+    for (const char* kind : {"pierced", "through", "drawn"})
+        EXPECT_EQ(count[kind], sanitized ? kind[0] != 'd' : 4) << kind;
     EXPECT_EQ(count["torn"] + count["break"] + count["withdrawn"] + count["back_in"], 0);
-    EXPECT_TRUE(fs::exists(scratch("end-to-end-running") / "end-close.png")) << "where no knot is, the bites are looked at";
+    EXPECT_TRUE(fs::exists(scratch("end-to-end-running") / "end-close.png"))
+        << "where no knot is, the bites are looked at";
 }
 
-// Threads that lie ready, three and eight: all of it takes half an hour and more. Here the first needle is fetched, and its thread's other end by the assistant,
-// and of three taken through both ends beside the two that wait. The sanitizers see a spare in scenarios_world_test.
+// Threads that lie ready, three and eight: all of it takes half an hour and more. Here the first needle is fetched, and
+// its thread's other end by the assistant, and of three taken through both ends beside the two that wait. The
+// sanitizers see a spare in scenarios_world_test.
 class Spares : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Spares, WaitWhileTheFirstIsTakenFromWhereItLies) {
@@ -271,6 +295,8 @@ TEST_P(Spares, WaitWhileTheFirstIsTakenFromWhereItLies) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Drills, Spares, ::testing::Values("stay-sutures", "end-to-end-interrupted"),
-                         [](const auto& drill) { return std::string(drill.param) == "stay-sutures" ? "Three" : "Eight"; });
+                         [](const auto& drill) {
+                             return std::string(drill.param) == "stay-sutures" ? "Three" : "Eight";
+                         });
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Are the drills' motions staged? Each key of a motion is moved by up to 0.05 mm and turned by up to 0.5 degrees, the
-// whole is played at half, full and double pace, and the knot must still come out. One line a run; exit 3 when fewer than
-// 95 of 100 runs are named right, or anything passed through anything.
+// whole is played at half, full and double pace, and the knot must still come out. One line a run; exit 3 when fewer
+// than 95 of 100 runs are named right, or anything passed through anything.
 //   shaken DRILL NAME FIRST_SEED LAST_SEED
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +35,8 @@ Motion shaken(const Motion& motion, unsigned seed, double pace) {
             key.t_s /= pace;
             key.input.pose.position += shake_m * in_ball(random);
             const Vec3 turn = shake_rad * in_ball(random);
-            key.input.pose.rotation = (Quat(1, turn.x() / 2, turn.y() / 2, turn.z() / 2) * key.input.pose.rotation).normalized();
+            key.input.pose.rotation =
+                (Quat(1, turn.x() / 2, turn.y() / 2, turn.z() / 2) * key.input.pose.rotation).normalized();
         }
     return Motion(keys);
 }
@@ -45,7 +46,8 @@ struct Outcome {
     std::uint64_t pass_throughs;
 };
 
-Outcome play(const scenarios::drill::Drill& drill, const Motion& motion, const std::string& name, unsigned seed, double pace) {
+Outcome play(const scenarios::drill::Drill& drill, const Motion& motion, const std::string& name, unsigned seed,
+             double pace) {
     std::vector<ToolInput> inputs(drill.world.instruments.size());
     motion.at(0, inputs);
     auto world = app::make_world(drill.world, app::vessel_meshes(drill.world), inputs);
@@ -58,10 +60,12 @@ Outcome play(const scenarios::drill::Drill& drill, const Motion& motion, const s
     world.name_knot_now();
     const auto& knot = world.measures().knot;
     const Outcome outcome{knot.surgical == name && knot.certain, world.measures().pass_throughs};
-    std::printf("seed %2u pace %.1f: %-10s %-8s %-14s pass-throughs %llu, stretch at most %.3f %%, at rest %.3f %%, step/bound %.3f\n",
-                seed, pace, knot.surgical.c_str(), knot.throws.c_str(), knot.knot.c_str(),
-                static_cast<unsigned long long>(outcome.pass_throughs), 100 * world.worst().stretch,
-                100 * world.stretch_now(), world.worst().step_over_bound);
+    std::printf(
+        "seed %2u pace %.1f: %-10s %-8s %-14s pass-throughs %llu, stretch at most %.3f %%, at rest %.3f %%, step/bound "
+        "%.3f\n",
+        seed, pace, knot.surgical.c_str(), knot.throws.c_str(), knot.knot.c_str(),
+        static_cast<unsigned long long>(outcome.pass_throughs), 100 * world.worst().stretch, 100 * world.stretch_now(),
+        world.worst().step_over_bound);
     std::fflush(stdout);
     return outcome;
 }
@@ -76,13 +80,15 @@ int main(int argc, char** argv) {
     const Motion motion = scenarios::drill::load_motion(drill.motion, names);
     int runs = 0, right = 0;
     std::uint64_t pass_throughs = 0;
-    for (unsigned seed = static_cast<unsigned>(std::atoi(argv[3])); seed <= static_cast<unsigned>(std::atoi(argv[4])); ++seed)
+    for (unsigned seed = static_cast<unsigned>(std::atoi(argv[3])); seed <= static_cast<unsigned>(std::atoi(argv[4]));
+         ++seed)
         for (const double pace : {0.5, 1.0, 2.0}) {
             const Outcome outcome = play(drill, shaken(motion, seed, pace), argv[2], seed, pace);
             ++runs;
             right += outcome.right;
             pass_throughs += outcome.pass_throughs;
         }
-    std::printf("%d of %d named %s, %llu pass-throughs\n", right, runs, argv[2], static_cast<unsigned long long>(pass_throughs));
+    std::printf("%d of %d named %s, %llu pass-throughs\n", right, runs, argv[2],
+                static_cast<unsigned long long>(pass_throughs));
     return right * 100 >= runs * 95 && pass_throughs == 0 ? 0 : 3;
 }

@@ -12,8 +12,8 @@
 #include "app/play/session.hpp"
 #include "scenarios/drill/motion.hpp"
 
-// State hashes of what is shipped: every drill, every hard case, two hundred ties. A change that means to keep the bits keeps this
-// table; one that means to change them renews it (`make hashes`) in the same commit and says why.
+// State hashes of what is shipped: every drill, every hard case, two hundred ties. A change that means to keep the bits
+// keeps this table; one that means to change them renews it (`make hashes`) in the same commit and says why.
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,7 +91,8 @@ TEST_P(HardCaseHashes, AreThoseOfTheTable) {
         expect_hash("hard_case", hard_case.id, std::to_string(i), app::bench::play(hard_case.scenes[i]).hash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, HardCaseHashes, testing::ValuesIn(app::bench::hard_case_files(CARREL_HARD_CASES)), test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, HardCaseHashes, testing::ValuesIn(app::bench::hard_case_files(CARREL_HARD_CASES)),
+                         test_name);
 
 /// The last state of two hundred ties, in eight parts.
 class TieHashes : public testing::TestWithParam<int> {};

@@ -47,7 +47,8 @@ TEST(Allocation, AStepAllocatesNothingAfterTheFirst) {
     Tissue tissue({}, mesh);
     std::vector<Hold> holds;
     for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i)
-        if (mesh.nodes[static_cast<std::size_t>(i)].x() > 7.9e-3) holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
+        if (mesh.nodes[static_cast<std::size_t>(i)].x() > 7.9e-3)
+            holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
     std::size_t before = 0;
     for (int i = 0; i < 200; ++i) {
         const PointForce forces[] = {{{}, {-1e-4 * i, 0, 0}}};
@@ -69,13 +70,18 @@ TEST(Allocation, ABiteAllocatesNothingAfterTheFirstTouch) {
     WallContact itself({}, TubeDef{}.wall);
     std::vector<Hold> holds;
     for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i)
-        if (mesh.nodes[static_cast<std::size_t>(i)].x() > 7.9e-3) holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
+        if (mesh.nodes[static_cast<std::size_t>(i)].x() > 7.9e-3)
+            holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
     std::vector<PointForce> forces;
     forces.reserve(1024);
     std::size_t before = 0, holes = 0;
     for (int i = 0; i < 400; ++i) {
         const double way = 20e-6 * (i < 200 ? i : 400 - i);  // straight down through the upper wall, in a wide arc
-        const Arc needle{.centre = {1.5e-3, 2.3e-3 - way, 8e-3}, .to_tail = Vec3(0, 0.38268, -0.92388), .onwards = Vec3(0, -0.92388, -0.38268), .radius = 8e-3, .angle = 0.3927};
+        const Arc needle{.centre = {1.5e-3, 2.3e-3 - way, 8e-3},
+                         .to_tail = Vec3(0, 0.38268, -0.92388),
+                         .onwards = Vec3(0, -0.92388, -0.38268),
+                         .radius = 8e-3,
+                         .angle = 0.3927};
         const Capsule rod{{4e-3, 2.4e-3, -3e-3}, {4e-3, 2.4e-3, 3e-3}, 0.5e-3};
         bites.press(&needle, skin);
         forces.assign(bites.forces().begin(), bites.forces().end());

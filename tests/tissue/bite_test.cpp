@@ -18,9 +18,12 @@ using app::bench::Stitching;
 using app::bench::Swing;
 
 constexpr double speed = 20e-3;
-const Swing down_and_out{{1.53e-3, 2.02e-3, 0.07e-3}, Vec3(-0.5, -1, 0).normalized(), Vec3(-1, 0.5, 0).normalized()};  // from outside, towards the cut
+const Swing down_and_out{{1.53e-3, 2.02e-3, 0.07e-3},
+                         Vec3(-0.5, -1, 0).normalized(),
+                         Vec3(-1, 0.5, 0).normalized()};  // from outside, towards the cut
 
-// Events as letters, of each bite: pierced, through, back in (<), withdrawn, drawn. From one place of the tip along its way to another [m].
+// Events as letters, of each bite: pierced, through, back in (<), withdrawn, drawn. From one place of the tip along its
+// way to another [m].
 using Log = std::map<int, std::string>;
 void swing(Stitching& scene, const Swing& needle, double from, double to, Log& log, double at = speed) {
     const int steps = static_cast<int>(std::abs(to - from) / (at * scene.step));
@@ -34,7 +37,8 @@ void swing(Stitching& scene, const Swing& needle, double from, double to, Log& l
 
 double off_rest(const Stitching& scene) {
     double most = 0;
-    for (std::size_t i = 0; i < scene.mesh.nodes.size(); ++i) most = std::max(most, (scene.tissue.nodes()[i] - scene.mesh.nodes[i]).norm());
+    for (std::size_t i = 0; i < scene.mesh.nodes.size(); ++i)
+        most = std::max(most, (scene.tissue.nodes()[i] - scene.mesh.nodes[i]).norm());
     return most;
 }
 
@@ -43,7 +47,8 @@ TEST(Bites, PierceAtTheirThreshold) {
     EXPECT_NEAR(app::bench::drive_through({.puncture = 10e-3}, {}, 5e-3, true).entry / 10e-3, 1, 0.1);
 }
 
-// A wall that gives way before the threshold has come, or is met flat, is gone through all the same: no wire is in it that no hole knows of.
+// A wall that gives way before the threshold has come, or is met flat, is gone through all the same: no wire is in it
+// that no hole knows of.
 TEST(Bites, NoNeedleIsInAWallWithoutAHole) {
     int through = 0, caved_in = 0;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -51,27 +56,33 @@ TEST(Bites, NoNeedleIsInAWallWithoutAHole) {
         app::bench::Random random(seed);
         const double puncture = random.between(10e-3, 0.3);
         Stitching scene({.puncture = puncture}, {.around = 12, .through = 1, .near = 6, .far = 2});
-        const double aslant = random.between(-1.2, 1.2), from_cut = random.between(0.3e-3, 2e-3), aside = random.between(-1.2, 1.2);
+        const double aslant = random.between(-1.2, 1.2), from_cut = random.between(0.3e-3, 2e-3),
+                     aside = random.between(-1.2, 1.2);
         const Vec3 up(0, std::cos(aside), std::sin(aside)), across(0, -std::sin(aside), std::cos(aside));
-        const Vec3 along = std::cos(aslant) * -Vec3::UnitX() + std::sin(aslant) * across, way = (0.7 * along - up).normalized();
+        const Vec3 along = std::cos(aslant) * -Vec3::UnitX() + std::sin(aslant) * across,
+                   way = (0.7 * along - up).normalized();
         const Swing needle{from_cut * Vec3::UnitX() + 2.05e-3 * up, way, (along + 0.7 * up).normalized()};
         const double length = needle.radius * needle.angle, wall = 0.5e-3;
         int unknown = 0;
         for (double tip = -0.2e-3; tip < 0.6 * length; tip += speed * scene.step) {
             const Arc arc = needle.at(tip / needle.radius);
             scene.go(&arc);
-            const auto is_within = [&](double back) { return is_in_wall(scene.mesh.tetrahedra, scene.tissue.nodes(), arc.at(arc.length() - back * wall)); };
+            const auto is_within = [&](double back) {
+                return is_in_wall(scene.mesh.tetrahedra, scene.tissue.nodes(), arc.at(arc.length() - back * wall));
+            };
             bool is_out = true, is_through = false;
             for (double back = 0; back < 1.3; back += 0.1) is_out = is_out && !is_within(back);
             for (double back = 1.3; back < 4; back += 0.1) is_through = is_through || (is_out && is_within(back));
             unknown = is_through && scene.bites.holes_on_needle() == 0 ? unknown + 1 : 0;
-            ASSERT_LT(unknown, 10) << "steps, tip " << tip << " m on";  // a wall that springs back onto the wire is pressed off it again
+            ASSERT_LT(unknown, 10) << "steps, tip " << tip
+                                   << " m on";  // a wall that springs back onto the wire is pressed off it again
         }
         through += scene.bites.holes_on_needle() > 1;
         for (const Bite& bite : scene.bites.bites())
             for (const BiteEnd* end : {&bite.entry, &bite.exit}) {
                 if (end->hole < 0 || end->force == 0) continue;  // through an old hole
-                EXPECT_EQ(end->caved_in, end->force < 0.9 * puncture) << end->force << " N of " << puncture;  // within a tenth it is pierced
+                EXPECT_EQ(end->caved_in, end->force < 0.9 * puncture)
+                    << end->force << " N of " << puncture;  // within a tenth it is pierced
                 caved_in += end->caved_in;
             }
     }
@@ -100,9 +111,9 @@ TEST(Bites, KnowWhereTheyWere) {
     EXPECT_FALSE(bite.partial());
     EXPECT_FALSE(bite.both_walls);
     EXPECT_FALSE(bite.entry.caved_in || bite.exit.caved_in);
-    EXPECT_NEAR(bite.angle_to_wall, std::atan(2.0), 0.2);   // of a cylinder; this one has sixteen sides
+    EXPECT_NEAR(bite.angle_to_wall, std::atan(2.0), 0.2);  // of a cylinder; this one has sixteen sides
     EXPECT_LT(bite.angle_to_axis, 0.05);
-    EXPECT_NEAR(bite.depth, 0.5e-3, 0.05e-3);               // of the wall
+    EXPECT_NEAR(bite.depth, 0.5e-3, 0.05e-3);  // of the wall
     EXPECT_EQ(scene.skin.holes(), 2);
 }
 
@@ -118,12 +129,13 @@ TEST(Bites, AreMetAtAnAngleThatTheirThresholdDoesNotChange) {
     EXPECT_EQ(angle(20e-3), angle(2e-3));
 }
 
-// Friction holds the wall back and lets go of it: no more than its share of the wire within, and the wall comes back when the needle is through.
+// Friction holds the wall back and lets go of it: no more than its share of the wire within, and the wall comes back
+// when the needle is through.
 TEST(Bites, HoldTheWallByFrictionAlone) {
     Stitching scene({.friction = 2});
     Log log;
     swing(scene, down_and_out, -0.1e-3, 4e-3, log);
-    const double inside = 0.75e-3;                           // of wire: the wall's 0.5 mm aslant, and what bends along
+    const double inside = 0.75e-3;  // of wire: the wall's 0.5 mm aslant, and what bends along
     EXPECT_GT(scene.bites.force().norm(), 0.5 * 2 * inside);
     EXPECT_LT(scene.bites.force().norm(), 1.2 * 2 * inside);
     swing(scene, down_and_out, 4e-3, down_and_out.radius * down_and_out.angle + 2e-3, log);
@@ -138,7 +150,8 @@ TEST(Bites, HoldTheWallByFrictionAlone) {
 // Out and in by the outer side: a bite in the wall's thickness.
 TEST(Bites, TellPartialThickness) {
     Stitching scene({.puncture = 1e-3});
-    const Swing shallow{{2e-3, 1.85e-3, -0.6e-3}, Vec3(0, -0.3, 1).normalized(), Vec3(0, 1, 0.3).normalized(), 1.6e-3, 2.3};
+    const Swing shallow{
+        {2e-3, 1.85e-3, -0.6e-3}, Vec3(0, -0.3, 1).normalized(), Vec3(0, 1, 0.3).normalized(), 1.6e-3, 2.3};
     Log log;
     swing(scene, shallow, -0.8e-3, 3e-3, log);
     ASSERT_EQ(scene.bites.bites().size(), 1u);
@@ -148,7 +161,8 @@ TEST(Bites, TellPartialThickness) {
     EXPECT_NEAR(scene.bites.bites()[0].angle_to_axis, std::numbers::pi / 2, 0.1);
 }
 
-// 0.6 mm deep in a wall of 0.5: the inner skin gives way rather than be pierced so flat. The wire stays in the wall all the same, and bears what it does to that.
+// 0.6 mm deep in a wall of 0.5: the inner skin gives way rather than be pierced so flat. The wire stays in the wall all
+// the same, and bears what it does to that.
 TEST(Bites, KeepAWireInTheWallThatGrazesTheLumen) {
     constexpr double aslant = 31.0 / 180 * std::numbers::pi;
     const Vec3 way(-std::cos(aslant), -std::sin(aslant), 0), bend(-std::sin(aslant), std::cos(aslant), 0);
@@ -170,14 +184,16 @@ TEST(Bites, KeepAWireInTheWallThatGrazesTheLumen) {
     constexpr double below_holes = 0.2e-3;
     for (double along = 0; along < arc.length(); along += arc.wire) {
         const Vec3 at = arc.at(along);
-        EXPECT_TRUE(at.y() > 2e-3 - below_holes || is_in_wall(scene.mesh.tetrahedra, scene.tissue.nodes(), at)) << at.transpose();
+        EXPECT_TRUE(at.y() > 2e-3 - below_holes || is_in_wall(scene.mesh.tetrahedra, scene.tissue.nodes(), at))
+            << at.transpose();
     }
 }
 
 // Through the lumen and the wall across: two bites of one pass.
 TEST(Bites, TellBothWalls) {
     Stitching scene({.puncture = 2e-3});
-    const Swing deep{{2e-3, 2.02e-3, 0.1e-3}, Vec3(-0.1, -1, 0).normalized(), Vec3(-1, 0.1, 0).normalized(), 8.28e-3, 3.1};
+    const Swing deep{
+        {2e-3, 2.02e-3, 0.1e-3}, Vec3(-0.1, -1, 0).normalized(), Vec3(-1, 0.1, 0).normalized(), 8.28e-3, 3.1};
     Log log;
     swing(scene, deep, -0.1e-3, 7e-3, log);
     ASSERT_EQ(scene.bites.bites().size(), 2u);
@@ -210,7 +226,11 @@ TEST(Bites, GoBackAndBeginAgain) {
 // Its side pressed onto the vessel, tip and tail well beside it: it pushes the wall, makes no hole, and lets go of it.
 TEST(Bites, ArePressedByTheNeedlesSideWithoutAHole) {
     Stitching scene({});
-    const auto needle = [](double y) { return Arc{.centre = {2e-3, y - 3.95e-3, 0}, .to_tail = Vec3(0, 0.38268, -0.92388), .onwards = Vec3(0, 0.92388, 0.38268)}; };
+    const auto needle = [](double y) {
+        return Arc{.centre = {2e-3, y - 3.95e-3, 0},
+                   .to_tail = Vec3(0, 0.38268, -0.92388),
+                   .onwards = Vec3(0, 0.92388, 0.38268)};
+    };
     double most = 0;
     for (int i = 0; i < 200; ++i) {
         const Arc arc = needle(2.3e-3 - 5e-6 * std::min(i, 150));  // until half a millimetre deep
@@ -225,7 +245,8 @@ TEST(Bites, ArePressedByTheNeedlesSideWithoutAHole) {
     EXPECT_LT(off_rest(scene), 5e-6);
 }
 
-// A straight needle through both walls of a tube, and one that ends in the lumen: as if they had been drawn through before.
+// A straight needle through both walls of a tube, and one that ends in the lumen: as if they had been drawn through
+// before.
 TEST(Bites, AreThereFromTheStart) {
     Stitching scene({});
     const TubeDef tube;
@@ -242,9 +263,10 @@ TEST(Bites, AreThereFromTheStart) {
         EXPECT_EQ(bite.both_walls, i < 2);
         EXPECT_EQ(bite.pass, i < 2 ? 1 : 2);
         EXPECT_EQ(bite.entry.side, i == 1 ? Side::inner : Side::outer);
-        EXPECT_NEAR(bite.depth, tube.wall, 0.02 * tube.wall);           // sixteen flat sides
+        EXPECT_NEAR(bite.depth, tube.wall, 0.02 * tube.wall);                 // sixteen flat sides
         EXPECT_NEAR(bite.angle_to_wall, EIGEN_PI / 2, 1.01 * EIGEN_PI / 16);  // half of one, and rounding
-        EXPECT_NEAR((scene.skin.centre(bite.entry.hole) - scene.skin.centre(bite.exit.hole)).norm(), tube.wall, 0.05 * tube.wall);
+        EXPECT_NEAR((scene.skin.centre(bite.entry.hole) - scene.skin.centre(bite.exit.hole)).norm(), tube.wall,
+                    0.05 * tube.wall);
     }
     for (int i = 0; i < 10; ++i) scene.go(nullptr);
     EXPECT_TRUE(scene.bites.events().empty());
@@ -274,7 +296,8 @@ TEST(Bites, TearOutOnce) {
     EXPECT_LT(off_rest(scene), 5e-6);
 }
 
-// A wall that gives way is not pierced, and the tip goes over its edge: without a word nobody would know why there is no hole.
+// A wall that gives way is not pierced, and the tip goes over its edge: without a word nobody would know why there is
+// no hole.
 TEST(Bites, ThatTheTipSlippedOverTheCutIsTold) {
     Stitching scene({.puncture = 1, .grip = 0.1});
     Log log;
@@ -304,7 +327,8 @@ TEST(Bites, GiveTheSameBitsTwice) {
     EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(Vec3)), 0);
 }
 
-// Of one bite, in order: pierced once; as often through as back in, or once more; in the end withdrawn, drawn, torn or left in the wall.
+// Of one bite, in order: pierced once; as often through as back in, or once more; in the end withdrawn, drawn, torn or
+// left in the wall.
 bool is_in_order(const std::string& events) {
     std::size_t i = 1;
     if (events.empty() || events[0] != 'p') return false;
@@ -313,8 +337,8 @@ bool is_in_order(const std::string& events) {
     return end.empty() || end == "t" || end == "w" || end == "td" || end == "tx";
 }
 
-// E17: where the path begins is anywhere on the wall, on edges and vertices too, its way any or along the wall; it goes on, or back, or to and fro.
-// Under the sanitizers, where a path takes eight times as long, the first hundred.
+// E17: where the path begins is anywhere on the wall, on edges and vertices too, its way any or along the wall; it goes
+// on, or back, or to and fro. Under the sanitizers, where a path takes eight times as long, the first hundred.
 TEST(Bites, FollowFiveHundredRandomPaths) {
 #ifdef __SANITIZE_ADDRESS__
     constexpr int most = 100;
@@ -334,10 +358,14 @@ TEST(Bites, FollowFiveHundredRandomPaths) {
         Vec3 way = Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)).normalized();
         if (way.dot(up) > 0) way = -way;
         if (seed % 5 == 3) way = (way - way.dot(up) * up).normalized();
-        const Vec3 bend = way.cross(Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))).normalized();
+        const Vec3 bend =
+            way.cross(Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))).normalized();
         const Swing needle{at, way, bend, random.between(1.6e-3, 5.4e-3), random.between(1.5, 3.1)};
-        const double begin = -0.4e-3, length = needle.radius * needle.angle, far = random.between(0.2e-3, std::min(4e-3, 0.8 * length));
-        if (scene.mesh.faces[static_cast<std::size_t>(face)].side == Side::far_end || at.x() > 4e-3 || scene.is_in_wall(needle.at(begin / needle.radius))) continue;
+        const double begin = -0.4e-3, length = needle.radius * needle.angle,
+                     far = random.between(0.2e-3, std::min(4e-3, 0.8 * length));
+        if (scene.mesh.faces[static_cast<std::size_t>(face)].side == Side::far_end || at.x() > 4e-3 ||
+            scene.is_in_wall(needle.at(begin / needle.radius)))
+            continue;
         ++paths;
         SCOPED_TRACE(testing::Message() << "seed " << seed << ", kind " << paths % 4);
         Log log;
@@ -346,7 +374,12 @@ TEST(Bites, FollowFiveHundredRandomPaths) {
         if (paths % 4 == 0) swing(scene, needle, far, length + 4e-3, log, 40e-3);
         if (paths % 4 == 1) swing(scene, needle, far, begin - 1e-3, log, quick);
         if (paths % 4 == 2) {
-            for (const auto& [a, b] : {std::pair(far, 0.3 * far), {0.3 * far, 1.2 * far}, {1.2 * far, begin}, {begin, far}, {far, begin - 1e-3}}) swing(scene, needle, a, b, log, quick);
+            for (const auto& [a, b] : {std::pair(far, 0.3 * far),
+                                       {0.3 * far, 1.2 * far},
+                                       {1.2 * far, begin},
+                                       {begin, far},
+                                       {far, begin - 1e-3}})
+                swing(scene, needle, a, b, log, quick);
         }
         slipped += static_cast<int>(log[-1].size()), log.erase(-1);
         const auto is_a_hole = [&](int hole) { return hole >= 0 && hole < scene.skin.holes(); };
@@ -356,12 +389,14 @@ TEST(Bites, FollowFiveHundredRandomPaths) {
             EXPECT_TRUE(is_a_hole(found.entry.hole)) << bite << ": " << found.entry.hole;
             // An exit once made stays, also where the needle came back.
             const bool went_through = events.find('t') != std::string::npos;
-            EXPECT_TRUE(went_through ? is_a_hole(found.exit.hole) && found.exit.hole != found.entry.hole : found.exit.hole < 0 && found.state != BiteState::open)
+            EXPECT_TRUE(went_through ? is_a_hole(found.exit.hole) && found.exit.hole != found.entry.hole
+                                     : found.exit.hole < 0 && found.state != BiteState::open)
                 << bite << ": " << events << ", " << found.entry.hole << " to " << found.exit.hole;
-            withdrawn += events.back() == 'w', drawn += events.back() == 'd', torn += events.back() == 'x', through += went_through;
+            withdrawn += events.back() == 'w', drawn += events.back() == 'd', torn += events.back() == 'x',
+                through += went_through;
         }
         bites += static_cast<int>(log.size());
-        if (paths % 4 == 1 || paths % 4 == 2) {               // orphans: nothing is left on a needle that is out
+        if (paths % 4 == 1 || paths % 4 == 2) {  // orphans: nothing is left on a needle that is out
             for (const Bite& bite : scene.bites.bites()) EXPECT_FALSE(bite.on_needle);
             EXPECT_EQ(scene.bites.holes_on_needle(), 0);
             EXPECT_FALSE(scene.bites.touches());
@@ -371,7 +406,8 @@ TEST(Bites, FollowFiveHundredRandomPaths) {
         EXPECT_TRUE(scene.bites.forces().empty());
     }
     EXPECT_GT(bites, 3 * most / 5);
-    std::printf("%d paths: %d bites, %d of them through, %d withdrawn, %d drawn, %d torn; %d times the tip slipped\n", paths, bites, through, withdrawn, drawn, torn, slipped);
+    std::printf("%d paths: %d bites, %d of them through, %d withdrawn, %d drawn, %d torn; %d times the tip slipped\n",
+                paths, bites, through, withdrawn, drawn, torn, slipped);
 }
 
 }  // namespace

@@ -17,7 +17,10 @@ using namespace tissue;
 struct Twice {
     static constexpr int side = 6, nodes = side * side;
 
-    explicit Twice(double lift) : couplings(pairs()), matrix(nodes, couplings), dense(Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes)) { fill(lift); }
+    explicit Twice(double lift)
+        : couplings(pairs()), matrix(nodes, couplings), dense(Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes)) {
+        fill(lift);
+    }
 
     static std::vector<std::array<int, 2>> pairs() {
         std::vector<std::array<int, 2>> found{{0, nodes - 1}};
@@ -47,7 +50,8 @@ struct Twice {
 };
 
 std::vector<Vec3> solved(Twice& twice, long work) {
-    while (!twice.matrix.factor(work)) {}
+    while (!twice.matrix.factor(work)) {
+    }
     EXPECT_TRUE(twice.matrix.is_positive());
     twice.matrix.use();
     std::vector<Vec3> x;
@@ -63,9 +67,11 @@ TEST(BlockMatrix, SolvesAsADenseOne) {
     Eigen::VectorXd right(3 * Twice::nodes);
     for (int i = 0; i < Twice::nodes; ++i) right.segment<3>(3 * i) = Vec3(i, 1 - i, i % 5);
     const Eigen::VectorXd expected = twice.dense.llt().solve(right);
-    const Eigen::VectorXd stiffness = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(twice.dense, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd stiffness =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(twice.dense, Eigen::EigenvaluesOnly).eigenvalues();
     const double rounding = std::numeric_limits<float>::epsilon() * stiffness.maxCoeff() / stiffness.minCoeff();
-    for (int i = 0; i < Twice::nodes; ++i) EXPECT_LE((x[static_cast<std::size_t>(i)] - expected.segment<3>(3 * i)).norm(), rounding * expected.norm());
+    for (int i = 0; i < Twice::nodes; ++i)
+        EXPECT_LE((x[static_cast<std::size_t>(i)] - expected.segment<3>(3 * i)).norm(), rounding * expected.norm());
 }
 
 TEST(BlockMatrix, GivesTheSameBitsInSlices) {
@@ -77,16 +83,17 @@ TEST(BlockMatrix, GivesTheSameBitsInSlices) {
 TEST(BlockMatrix, SaysWhenItIsNotPositive) {
     Twice twice(0.5);
     EXPECT_LT(twice.dense.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0);
-    while (!twice.matrix.factor(100)) {}
+    while (!twice.matrix.factor(100)) {
+    }
     EXPECT_FALSE(twice.matrix.is_positive());
 }
 
 TEST(Descent, GoesToTheLowestPoint) {
-    EXPECT_NEAR(lowest({-2, 1}), 1, 1e-9);               // (s - 1)^2
+    EXPECT_NEAR(lowest({-2, 1}), 1, 1e-9);                    // (s - 1)^2
     EXPECT_NEAR(lowest({-1, 0, 0, 0, 0, 1.0 / 6}), 1, 1e-9);  // s^6 / 6 - s
-    EXPECT_EQ(lowest({1, 1}), 0);                        // uphill
-    EXPECT_EQ(lowest({-1}), 4);                          // for ever: as far as it goes
-    const double past = lowest({-0.01, 10, -60, 100});   // a dip, then a hill and a second one
+    EXPECT_EQ(lowest({1, 1}), 0);                             // uphill
+    EXPECT_EQ(lowest({-1}), 4);                               // for ever: as far as it goes
+    const double past = lowest({-0.01, 10, -60, 100});        // a dip, then a hill and a second one
     EXPECT_GT(past, 0);
     EXPECT_LT(past * (-0.01 + past * (10 + past * (-60 + past * 100))), 0);
 }

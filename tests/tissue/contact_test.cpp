@@ -24,7 +24,8 @@ struct Scene {
     std::vector<PointForce> forces;
 
     explicit Scene(const ContactDef& def = {}) : tools(def), itself(def, TubeDef{}.wall) {
-        for (int i = static_cast<int>(mesh.nodes.size()) - 48; i < static_cast<int>(mesh.nodes.size()); ++i) holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
+        for (int i = static_cast<int>(mesh.nodes.size()) - 48; i < static_cast<int>(mesh.nodes.size()); ++i)
+            holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
     }
     void go(std::span<const Capsule> now, std::span<const Capsule> before) {
         forces.clear();
@@ -38,27 +39,34 @@ struct Scene {
     }
     double off_rest() const {
         double most = 0;
-        for (std::size_t i = 0; i < mesh.nodes.size(); ++i) most = std::max(most, (tissue.nodes()[i] - mesh.nodes[i]).norm());
+        for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+            most = std::max(most, (tissue.nodes()[i] - mesh.nodes[i]).norm());
         return most;
     }
     double smallest_volume() const {
         double least = 1;
-        for (const Tetrahedron& tet : mesh.tetrahedra) least = std::min(least, volume(tet, tissue.nodes()) / volume(tet, mesh.nodes));
+        for (const Tetrahedron& tet : mesh.tetrahedra)
+            least = std::min(least, volume(tet, tissue.nodes()) / volume(tet, mesh.nodes));
         return least;
     }
-    double narrowest() const {                 // of the lumen, above over below, half a cell and more from the cut
+    double narrowest() const {  // of the lumen, above over below, half a cell and more from the cut
         double least = 1;
         for (int a = 0; a < 5; ++a) {
-            const auto inner = [&](int along, int around) { return tissue.nodes()[static_cast<std::size_t>((along * 16 + around) * 3)]; };
+            const auto inner = [&](int along, int around) {
+                return tissue.nodes()[static_cast<std::size_t>((along * 16 + around) * 3)];
+            };
             least = std::min(least, inner(a, 0).y() - inner(a, 8).y());
         }
         return least;
     }
 };
 
-Capsule across(double y, double x = 2e-3, double radius = 0.5e-3) { return {{x, y, -3e-3}, {x, y, 3e-3}, radius}; }
+Capsule across(double y, double x = 2e-3, double radius = 0.5e-3) {
+    return {{x, y, -3e-3}, {x, y, 3e-3}, radius};
+}
 
-// A rod that comes down on a vessel by a millimetre, at up to a tenth of a metre a second, thick or as thin as a needle: the wall stays out of it.
+// A rod that comes down on a vessel by a millimetre, at up to a tenth of a metre a second, thick or as thin as a
+// needle: the wall stays out of it.
 TEST(CapsuleContact, KeepsTheWallOut) {
     for (const double radius : {0.5e-3, 0.1e-3})
         for (const double speed : {5e-3, 20e-3, 100e-3}) {
@@ -92,24 +100,27 @@ TEST(CapsuleContact, DragsByFriction) {
         Scene scene({.friction = friction});
         Capsule last = across(2.6e-3);
         for (int i = 0; i < 150; ++i) {
-            const Capsule now = across(2.6e-3 - 0.6e-3 * std::min(1.0, i / 50.0), 2e-3 + 0.5e-3 * std::max(0.0, i / 50.0 - 1));
+            const Capsule now =
+                across(2.6e-3 - 0.6e-3 * std::min(1.0, i / 50.0), 2e-3 + 0.5e-3 * std::max(0.0, i / 50.0 - 1));
             scene.go({&now, 1}, {&last, 1});
             last = now;
         }
-        const std::size_t below = (4 * 16) * 3 + 2;   // the tool, 2 mm from the cut
+        const std::size_t below = (4 * 16) * 3 + 2;  // the tool, 2 mm from the cut
         return scene.tissue.nodes()[below].x() - scene.mesh.nodes[below].x();
     };
     EXPECT_GT(dragged(0.5), dragged(0) + 0.02e-3);
 }
 
-// E23: pinched flat by two jaws, let go; then nothing is stuck, nothing turned over, half a second later all is as before.
+// E23: pinched flat by two jaws, let go; then nothing is stuck, nothing turned over, half a second later all is as
+// before.
 TEST(WallContact, LetsAPinchedVesselOpen) {
     Scene scene;
     std::array<Capsule, 2> last{across(2.6e-3), across(-2.6e-3)};
     int touched = 0;
     double least = 1;
     for (int i = 0; i < 200; ++i) {
-        const double y = 2.6e-3 - std::min(1.0, i / 150.0) * 1.65e-3;   // until less than the two walls have room between them
+        const double y =
+            2.6e-3 - std::min(1.0, i / 150.0) * 1.65e-3;  // until less than the two walls have room between them
         const std::array now{across(y), across(-y)};
         scene.go(now, last);
         touched = std::max(touched, scene.itself.contacts());
@@ -117,8 +128,8 @@ TEST(WallContact, LetsAPinchedVesselOpen) {
         last = now;
     }
     EXPECT_GT(touched, 3);
-    EXPECT_GT(least, -0.1e-3);                 // a fifth of the wall
-    EXPECT_LT(least, 0.1e-3);                  // flat it was
+    EXPECT_GT(least, -0.1e-3);  // a fifth of the wall
+    EXPECT_LT(least, 0.1e-3);   // flat it was
     EXPECT_GT(scene.smallest_volume(), 0);
     const std::array gone{across(0.1), across(-0.1)};
     for (int i = 0; i < 250; ++i) scene.go(gone, gone);
@@ -136,8 +147,11 @@ struct Ends {
     std::vector<Hold> holds_a, holds_b;
     std::vector<PointForce> on_a, on_b;
 
-    Ends(double aside, const Material& material) : left(opposite(right, aside)), a(material, right), b(material, left), skin_b(left) {
-        for (int i = static_cast<int>(right.nodes.size()) - 48; i < static_cast<int>(right.nodes.size()); ++i) holds_a.push_back({i, right.nodes[static_cast<std::size_t>(i)]}), holds_b.push_back({i, left.nodes[static_cast<std::size_t>(i)]});
+    Ends(double aside, const Material& material)
+        : left(opposite(right, aside)), a(material, right), b(material, left), skin_b(left) {
+        for (int i = static_cast<int>(right.nodes.size()) - 48; i < static_cast<int>(right.nodes.size()); ++i)
+            holds_a.push_back({i, right.nodes[static_cast<std::size_t>(i)]}),
+                holds_b.push_back({i, left.nodes[static_cast<std::size_t>(i)]});
     }
     static Mesh opposite(Mesh end, double aside) {
         for (Vec3& p : end.nodes) p = Vec3(-p.x() - 0.1e-3, p.y() + aside, -p.z());
@@ -149,7 +163,8 @@ struct Ends {
         constexpr int node = 3 * 16 * 3 + 2;
         for (std::size_t t = 0;; ++t)
             for (std::size_t k = 0; k < 4; ++k)
-                if (MaterialPoint at{static_cast<int>(t), {0, 0, 0, 0}}; end.tetrahedra[t][k] == node) return at.weights[k] = 1, PointForce{at, way * drawn * Vec3::UnitX()};
+                if (MaterialPoint at{static_cast<int>(t), {0, 0, 0, 0}}; end.tetrahedra[t][k] == node)
+                    return at.weights[k] = 1, PointForce{at, way * drawn * Vec3::UnitX()};
     }
     void go(double nearer) {
         on_a.assign(1, draws(right, -1)), on_b.assign(1, draws(left, 1));
@@ -192,20 +207,21 @@ TEST(WallContact, KeepsTwoVesselsApart) {
             for (const auto& force : *forces) sum += force.force;
         EXPECT_LE(sum.norm(), 1e-12);
         most = std::max(most, ends.contact.contacts());
-        double low = 0, high = 0;                // the cuts' mean places
+        double low = 0, high = 0;  // the cuts' mean places
         for (std::size_t i = 0; i < 48; ++i) low += ends.a.nodes()[i].x() / 48, high += ends.b.nodes()[i].x() / 48;
         overlap = std::max(overlap, high - low);
     }
     EXPECT_GT(most, 10);
-    EXPECT_LT(overlap, 0.05e-3);                 // a tenth of the wall, pushed by 0.3 mm
+    EXPECT_LT(overlap, 0.05e-3);  // a tenth of the wall, pushed by 0.3 mm
     EXPECT_EQ(ends.contact.contacts(), 0);
     double off = 0;
     for (std::size_t i = 0; i < 48; ++i) off = std::max(off, (ends.a.nodes()[i] - ends.right.nodes[i]).norm());
     EXPECT_LT(off, 10e-6);
 }
 
-// Pressed on by a few tenths of a millimetre and aside by as much they lie over each other, edges on edges, and then rest. A node just before a cut that
-// leans is behind the skin that ends there: taken for a touch, that pushed it by a tenth of a newton, and walls trembled by 0.1 m/s for ever.
+// Pressed on by a few tenths of a millimetre and aside by as much they lie over each other, edges on edges, and then
+// rest. A node just before a cut that leans is behind the skin that ends there: taken for a touch, that pushed it by a
+// tenth of a newton, and walls trembled by 0.1 m/s for ever.
 TEST(WallContact, EndsThatLieOverEachOtherRest) {
     for (const double by : {0.1e-3, 0.3e-3}) {
         SCOPED_TRACE(by);
@@ -215,7 +231,8 @@ TEST(WallContact, EndsThatLieOverEachOtherRest) {
     }
 }
 
-// Nor does a stitch that draws them together shake them: pushed as each triangle faces, what lay in a crease was thrown to and fro by 23 and 25 mm/s.
+// Nor does a stitch that draws them together shake them: pushed as each triangle faces, what lay in a crease was thrown
+// to and fro by 23 and 25 mm/s.
 TEST(WallContact, EndsThatAStitchDrawsTogetherRest) {
     for (const double aside : {0.1e-3, 0.2e-3}) {
         SCOPED_TRACE(aside);

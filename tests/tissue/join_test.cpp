@@ -7,11 +7,14 @@ namespace {
 using namespace tissue;
 using namespace tissue::sewn;
 
-double perimeter(double radius) { return 16 * 2 * radius * std::sqrt(2 * pi / 16 / std::sin(2 * pi / 16)) * std::sin(pi / 16); }  // of the tube's polygon
+double perimeter(double radius) {
+    return 16 * 2 * radius * std::sqrt(2 * pi / 16 / std::sin(2 * pi / 16)) * std::sin(pi / 16);
+}  // of the tube's polygon
 
 // Sixteen sides instead of a circle: the cut's area is the ring's, its rims are longer.
 double ring_wall(const TubeDef& def) {
-    return pi * (def.diameter - def.wall) * def.wall / (0.5 * (perimeter(def.diameter / 2) + perimeter(def.diameter / 2 - def.wall)));
+    return pi * (def.diameter - def.wall) * def.wall /
+           (0.5 * (perimeter(def.diameter / 2) + perimeter(def.diameter / 2 - def.wall)));
 }
 
 TEST(Join, OfEndsPressedFlatIsTight) {
@@ -78,7 +81,7 @@ TEST(Join, MeasuresACleanOne) {
     ASSERT_EQ(join.stitches.size(), 8u);
     for (const SewnBite& bite : join.bites) {
         EXPECT_NEAR(bite.size, 1 * mm, 1e-9);
-        EXPECT_NEAR(bite.through, 0.5 * mm, 0.02 * mm);   // corners of the polygon are further out
+        EXPECT_NEAR(bite.through, 0.5 * mm, 0.02 * mm);  // corners of the polygon are further out
         EXPECT_NEAR(bite.inside, 1 * mm, 1e-9);
         EXPECT_NEAR(bite.strain, 0, 1e-9);
         EXPECT_NEAR(bite.hole, 2 * hole, 1e-12);
@@ -94,11 +97,13 @@ TEST(Join, MeasuresACleanOne) {
     EXPECT_EQ(join.thread_in_lumen, 0);
     EXPECT_LE(join.leak_of_line, 1e-15);
     double expected = 0;
-    for (const SewnBite& bite : join.bites) expected += leak_of_slit(hole - diameter / 2, pi * (hole + diameter / 2), bite.through);
+    for (const SewnBite& bite : join.bites)
+        expected += leak_of_slit(hole - diameter / 2, pi * (hole + diameter / 2), bite.through);
     EXPECT_NEAR(join.leak_of_holes, expected, 1e-12 * expected);
 }
 
-// Ends with a thread of its own in each, or one that was cut between them, met in their clamps and were judged as if they were sewn.
+// Ends with a thread of its own in each, or one that was cut between them, met in their clamps and were judged as if
+// they were sewn.
 TEST(Join, IsSewnByAThreadThroughBothEnds) {
     Operation operation;
     operation.begin();
@@ -110,7 +115,8 @@ TEST(Join, IsSewnByAThreadThroughBothEnds) {
     EXPECT_TRUE(operation.judge().is_sewn());
 }
 
-// A half circle of 1.5 mm drawn through both walls, which hold still, instead of bites by hand; the thread is tightened so far that it lies on the inside.
+// A half circle of 1.5 mm drawn through both walls, which hold still, instead of bites by hand; the thread is tightened
+// so far that it lies on the inside.
 TEST(Join, KnowsTheBitesOfANeedle) {
     Operation operation;
     constexpr double radius = 1.5 * mm, bite = 1.25 * mm, needle = 2.356;
@@ -120,7 +126,11 @@ TEST(Join, KnowsTheBitesOfANeedle) {
     const auto out = [&](double turn) { return Vec3(-std::cos(turn) * along - std::sin(turn) * up); };
     std::array<Bites, 2> bites{Bites({}, operation.rest[0]), Bites({}, operation.rest[1])};
     for (double turn = 0; turn < pi + needle; turn += 0.01) {
-        const Arc arc{.centre = centre, .to_tail = out(turn - needle), .onwards = out(turn - needle + pi / 2), .radius = radius, .angle = needle};
+        const Arc arc{.centre = centre,
+                      .to_tail = out(turn - needle),
+                      .onwards = out(turn - needle + pi / 2),
+                      .radius = radius,
+                      .angle = needle};
         for (const std::size_t v : {0, 1}) bites[v].press(&arc, operation.skin[v]), bites[v].settle(operation.skin[v]);
     }
     std::vector<Vec3> thread;
@@ -128,25 +138,28 @@ TEST(Join, KnowsTheBitesOfANeedle) {
         const Vec3 at = centre + radius * out(turn);
         if (at.dot(up) > 0.75 * side) thread.push_back(at);
     }
-    const auto vessel = [&](std::size_t v) { return SewnVessel{operation.rest[v], operation.skin[v], bites[v].bites()}; };
+    const auto vessel = [&](std::size_t v) {
+        return SewnVessel{operation.rest[v], operation.skin[v], bites[v].bites()};
+    };
     const Join join = judge(vessel(0), vessel(1), {{thread}}, diameter);
     ASSERT_EQ(join.bites.size(), 2u);
     ASSERT_EQ(join.stitches.size(), 1u);
     for (const SewnBite& sewn : join.bites) {
         EXPECT_EQ(sewn.thread, 0);
         EXPECT_FALSE(sewn.partial);
-        EXPECT_NEAR(sewn.size, bite, 0.05 * mm);                  // the tip goes in so deep before the skin gives way
+        EXPECT_NEAR(sewn.size, bite, 0.05 * mm);  // the tip goes in so deep before the skin gives way
         EXPECT_NEAR(sewn.inside, std::sqrt(radius * radius - std::pow(centre.norm() - 0.75 * side, 2)), 0.05 * mm);
     }
     EXPECT_NEAR(join.stitches[0].obliqueness, 0, 1e-9);
-    EXPECT_NEAR(join.stitches[0].loop, 1, 0.02);                  // the arc in the wall over its chord
+    EXPECT_NEAR(join.stitches[0].loop, 1, 0.02);  // the arc in the wall over its chord
     EXPECT_EQ(committed(join), "");
     // Where a rim was drawn out thread lies off its middle; beyond that it is in no hole.
     const double reach = 2 * operation.skin[0].radius(0) + diameter;
     for (const auto& [aside, number] : {std::pair(0.95 * reach, 0), {1.2 * reach, -1}}) {
         std::vector<Vec3> moved = thread;
         for (Vec3& node : moved) node += aside * up.cross(along);
-        for (const SewnBite& sewn : judge(vessel(0), vessel(1), {{moved}}, diameter).bites) EXPECT_EQ(sewn.thread, number) << aside;
+        for (const SewnBite& sewn : judge(vessel(0), vessel(1), {{moved}}, diameter).bites)
+            EXPECT_EQ(sewn.thread, number) << aside;
     }
 }
 
@@ -157,7 +170,9 @@ TEST(Join, DoesNotDependOnTheFrame) {
     Operation operation;
     operation.stitches(1);
     operation.stitch({10, 1.2 * mm}, {4, 0.9 * mm});
-    operation.move([](int vessel, const Vec3& p) { return Vec3(p.x() * (1 - 30 * p.y()) + vessel * 0.05 * mm, 0.9 * p.y(), p.z()); });
+    operation.move([](int vessel, const Vec3& p) {
+        return Vec3(p.x() * (1 - 30 * p.y()) + vessel * 0.05 * mm, 0.9 * p.y(), p.z());
+    });
     const Join here = operation.judge();
     Operation other = operation;
     for (Mesh& mesh : other.rest)
@@ -170,10 +185,13 @@ TEST(Join, DoesNotDependOnTheFrame) {
     auto threads = operation.threads();
     for (auto& thread : threads)
         for (Vec3& node : thread) node = moved(node);
-    const auto vessel = [&](std::size_t v) { return SewnVessel{other.rest[v], other.skin[v], other.bites[v], -(turn * Vec3::UnitX())}; };
+    const auto vessel = [&](std::size_t v) {
+        return SewnVessel{other.rest[v], other.skin[v], other.bites[v], -(turn * Vec3::UnitX())};
+    };
     const auto expect_same = [&](const Join& there, double share) {
         const auto a = lapses(here), b = lapses(there);
-        for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(a[i].value, b[i].value, share * std::max(1.0, a[i].value)) << a[i].name;
+        for (std::size_t i = 0; i < 10; ++i)
+            EXPECT_NEAR(a[i].value, b[i].value, share * std::max(1.0, a[i].value)) << a[i].name;
         EXPECT_NEAR(here.leak(), there.leak(), share * here.leak());
         EXPECT_NEAR(here.lumen_ratio, there.lumen_ratio, share);
     };
@@ -207,7 +225,8 @@ TEST(Join, FollowsARunningSuture) {
     EXPECT_EQ(committed(join), "");
     ASSERT_EQ(join.stitches.size(), 8u);
     for (int k = 0; k < 8; ++k)
-        for (const int b : join.stitches[static_cast<std::size_t>(k)].bites) EXPECT_EQ(join.bites[static_cast<std::size_t>(b)].bite, k);
+        for (const int b : join.stitches[static_cast<std::size_t>(k)].bites)
+            EXPECT_EQ(join.bites[static_cast<std::size_t>(b)].bite, k);
 }
 
 TEST(Join, NeedsACut) {

@@ -56,7 +56,8 @@ TEST(Lapses, Oblique) {
     operation.stitches(0, 20);
     const Join join = operation.judge();
     EXPECT_EQ(committed(join), "oblique stitch");
-    EXPECT_NEAR(lapses(join)[2].value, std::atan(2 * mm * 20 * degree / (2 * mm)) / degree, 0.5);  // sixteen sides are not quite a circle
+    EXPECT_NEAR(lapses(join)[2].value, std::atan(2 * mm * 20 * degree / (2 * mm)) / degree,
+                0.5);  // sixteen sides are not quite a circle
     EXPECT_EQ(committed(join, {.obliqueness = 20}), "");
 }
 
@@ -138,7 +139,7 @@ TEST(Lapses, Strangulation) {
 TEST(Lapses, ThreadInLumen) {
     Operation operation;
     operation.stitches();
-    auto& way = operation.led[3];                          // a slack loop half a millimetre high over the join
+    auto& way = operation.led[3];  // a slack loop half a millimetre high over the join
     const Vec3 in = -operation.outwards(45.0 * 3), over = 1.5 * mm * operation.outwards(45.0 * 3) + 0.5 * mm * in;
     way.insert(way.begin() + 2, {{0, -1, over - 0.5 * mm * Vec3::UnitX()}, {0, -1, over + 0.5 * mm * Vec3::UnitX()}});
     const Join join = operation.judge();
@@ -156,12 +157,15 @@ TEST(Lapses, Overlap) {
     for (int k = 0; k < 8; ++k) {
         auto& way = operation.led[static_cast<std::size_t>(k)];
         const Vec3 out = operation.outwards(45.0 * k);
-        way.insert(way.begin() + 2, {{0, -1, 1.48 * mm * out - 0.63 * mm * Vec3::UnitX()}, {0, -1, 1.08 * mm * out - 0.62 * mm * Vec3::UnitX()}});
+        way.insert(way.begin() + 2, {{0, -1, 1.48 * mm * out - 0.63 * mm * Vec3::UnitX()},
+                                     {0, -1, 1.08 * mm * out - 0.62 * mm * Vec3::UnitX()}});
     }
-    operation.move([](int vessel, const Vec3& p) { return vessel == 0 ? p : Vec3(p.x() - 0.6 * mm, 0.73 * p.y(), 0.73 * p.z()); });
+    operation.move(
+        [](int vessel, const Vec3& p) { return vessel == 0 ? p : Vec3(p.x() - 0.6 * mm, 0.73 * p.y(), 0.73 * p.z()); });
     const Join join = operation.judge();
     EXPECT_EQ(committed(join), "overlap");
-    EXPECT_NEAR(lapses(join)[9].value, 0.6 * mm / join.wall, 0.01);  // next to holes, which keep their width, skin is not quite where the wall is
+    EXPECT_NEAR(lapses(join)[9].value, 0.6 * mm / join.wall,
+                0.01);  // next to holes, which keep their width, skin is not quite where the wall is
     EXPECT_NEAR(join.lumen_ratio, 0.73 * 0.73, 1e-6);
     EXPECT_EQ(committed(join, {.overlap_walls = 1.5}), "");
 }

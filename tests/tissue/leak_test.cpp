@@ -27,7 +27,8 @@ TEST(Leak, HasTheReferencesValues) {
 // What narrow and wide slits come to: Poiseuille's flow, and the hole's.
 TEST(Leak, HasBothLimits) {
     const Fluid blood;
-    const double narrow = 1e-6, poiseuille = narrow * narrow * narrow * mm * blood.pressure / (12 * blood.viscosity * 0.5 * mm);
+    const double narrow = 1e-6,
+                 poiseuille = narrow * narrow * narrow * mm * blood.pressure / (12 * blood.viscosity * 0.5 * mm);
     EXPECT_NEAR(leak_of_slit(narrow, mm, 0.5 * mm), poiseuille, 1e-4 * poiseuille);
     EXPECT_NEAR(leak_of_slit(mm, mm, 0), leak_of_hole(mm * mm), 1e-12 * leak_of_hole(mm * mm));
 }

@@ -32,29 +32,37 @@ struct Lumen {
 TEST(Lumen, HasTheSectionsOfATube) {
     const Lumen tube;
     const double across = pi * 1.5 * mm * 1.5 * mm;
-    EXPECT_NEAR(section_area(tube.faces, tube.mesh.nodes, {3.1 * mm, 0, 0}, Vec3::UnitX()).value(), across, 1e-9 * across);
-    EXPECT_NEAR(section_area(tube.faces, tube.mesh.nodes, {3.1 * mm, 0, 0}, -Vec3::UnitX()).value(), across, 1e-9 * across);
+    EXPECT_NEAR(section_area(tube.faces, tube.mesh.nodes, {3.1 * mm, 0, 0}, Vec3::UnitX()).value(), across,
+                1e-9 * across);
+    EXPECT_NEAR(section_area(tube.faces, tube.mesh.nodes, {3.1 * mm, 0, 0}, -Vec3::UnitX()).value(), across,
+                1e-9 * across);
     const Vec3 slanted = Vec3(1, 0.8, 0.3).normalized();
-    EXPECT_NEAR(section_area(tube.faces, tube.mesh.nodes, {4 * mm, 0, 0}, slanted).value(), across / slanted.x(), 1e-9 * across);
+    EXPECT_NEAR(section_area(tube.faces, tube.mesh.nodes, {4 * mm, 0, 0}, slanted).value(), across / slanted.x(),
+                1e-9 * across);
     EXPECT_FALSE(section_area(tube.faces, tube.mesh.nodes, {0.1 * mm, 0, 0}, slanted));
     EXPECT_FALSE(section_area(tube.faces, tube.mesh.nodes, {-1 * mm, 0, 0}, Vec3::UnitX()));
 }
 
-// Drawn together like a purse at its rim; a waist further in; moved, turned and wider: what it narrows to, whichever way its axis was named.
+// Drawn together like a purse at its rim; a waist further in; moved, turned and wider: what it narrows to, whichever
+// way its axis was named.
 TEST(Lumen, KnowsWhereItIsNarrow) {
     for (const double angle : {90.0, 60.0}) {
         const Lumen tube(angle);
         for (const double way : {1.0, -1.0}) {
             const Vec3 axis = way * Vec3::UnitX();
             EXPECT_NEAR(tube.ratio([](const Vec3& p) { return p; }, axis), 1, 1e-9);
-            EXPECT_NEAR(tube.ratio([](const Vec3& p) { return Vec3(p.x(), 0.8 * p.y(), 0.7 * p.z()); }, axis), 0.56, 1e-9);
+            EXPECT_NEAR(tube.ratio([](const Vec3& p) { return Vec3(p.x(), 0.8 * p.y(), 0.7 * p.z()); }, axis), 0.56,
+                        1e-9);
             const sim::geometry::Quat turn = sim::geometry::Quat(0.2, 0.4, -0.6, 0.3).normalized();
-            EXPECT_NEAR(tube.ratio([&](const Vec3& p) { return Vec3(turn * p * 1.3 + Vec3(0, 0.1, 0)); }, axis), 1.69, 1e-9);
+            EXPECT_NEAR(tube.ratio([&](const Vec3& p) { return Vec3(turn * p * 1.3 + Vec3(0, 0.1, 0)); }, axis), 1.69,
+                        1e-9);
         }
     }
     const auto narrowed = [](const Vec3& p, double share) { return Vec3(p.x(), share * p.y(), share * p.z()); };
     EXPECT_NEAR(Lumen().ratio([&](const Vec3& p) { return narrowed(p, 0.6 + 100 * p.x()); }), 0.36, 1e-9);
-    const double waist = Lumen().ratio([&](const Vec3& p) { return narrowed(p, 0.5 + 250 * std::abs(p.x() - 1.5 * mm)); }), off = 250 * 3.02 * mm / 32;
+    const double waist =
+                     Lumen().ratio([&](const Vec3&p) { return narrowed(p, 0.5 + 250 * std::abs(p.x() - 1.5 * mm)); }),
+                 off = 250 * 3.02 * mm / 32;
     EXPECT_GE(waist, 0.25 - 1e-9);
     EXPECT_LE(waist, (0.5 + off) * (0.5 + off));  // half way between two sections
 }
@@ -71,7 +79,8 @@ TEST(Lumen, KnowsWhatIsInIt) {
         EXPECT_NEAR(depth_in_lumen({x, 0, 0}, skin, other, 3 * mm), side, 1e-9);
         EXPECT_NEAR(depth_in_lumen(x * Vec3::UnitX() + (side - 0.2 * mm) * out, skin, other, 3 * mm), 0.2 * mm, 1e-9);
         EXPECT_EQ(depth_in_lumen({x, 0, 0}, skin, other, 1 * mm), 0);
-        for (const double wall : {0.01, 0.2, 0.45, 0.6, 2.0}) EXPECT_EQ(depth_in_lumen(x * Vec3::UnitX() + (side + wall * mm) * out, skin, other, 3 * mm), 0);
+        for (const double wall : {0.01, 0.2, 0.45, 0.6, 2.0})
+            EXPECT_EQ(depth_in_lumen(x * Vec3::UnitX() + (side + wall * mm) * out, skin, other, 3 * mm), 0);
     }
     EXPECT_EQ(depth_in_lumen({-2 * mm, 0, 0}, skin, skin, 3 * mm), 0);  // well off an open end
 }

@@ -19,16 +19,19 @@ TEST(Rim, GoesRoundATubesCut) {
     const TubeDef def;
     const Mesh mesh = make_tube(def);
     const double out = std::sqrt(2 * pi / 16 / std::sin(2 * pi / 16));  // corners of the same area
-    for (const auto& [side, radius] : {std::pair(Side::outer, def.diameter / 2 * out), std::pair(Side::inner, (def.diameter / 2 - def.wall) * out)}) {
+    for (const auto& [side, radius] : {std::pair(Side::outer, def.diameter / 2 * out),
+                                       std::pair(Side::inner, (def.diameter / 2 - def.wall) * out)}) {
         const auto found = rims(mesh, side);
         ASSERT_EQ(found.size(), 1u);
         const Rim& rim = found[0];
         ASSERT_EQ(rim.nodes.size(), 16u);
         for (std::size_t k = 0; k < 16; ++k) {
-            const Vec3 &at = mesh.nodes[static_cast<std::size_t>(rim.nodes[k])], &next = mesh.nodes[static_cast<std::size_t>(rim.nodes[(k + 1) % 16])];
+            const Vec3 &at = mesh.nodes[static_cast<std::size_t>(rim.nodes[k])],
+                       &next = mesh.nodes[static_cast<std::size_t>(rim.nodes[(k + 1) % 16])];
             EXPECT_EQ(at.x(), 0);
             EXPECT_NEAR(at.norm(), radius, 1e-12);
-            EXPECT_NEAR(at.cross(next).normalized().x(), side == Side::outer ? -1 : 1, 1e-12);  // the cut to the left, seen along x
+            EXPECT_NEAR(at.cross(next).normalized().x(), side == Side::outer ? -1 : 1,
+                        1e-12);  // the cut to the left, seen along x
         }
         EXPECT_NEAR(rim.length, 16 * 2 * radius * std::sin(pi / 16), 1e-12);
         EXPECT_NEAR(length(rim, mesh.nodes), rim.length, 1e-15);
@@ -36,7 +39,8 @@ TEST(Rim, GoesRoundATubesCut) {
     }
 }
 
-// The nearest place of where a place is is that place, and a point a little up the wall from there is nearest to it too.
+// The nearest place of where a place is is that place, and a point a little up the wall from there is nearest to it
+// too.
 TEST(Rim, KnowsItsPlaces) {
     for (const double angle : {45.0, 90.0}) {
         const Mesh mesh = make_tube({.cut_angle = angle});
@@ -62,7 +66,8 @@ TEST(Rim, FindsEveryCut) {
     std::vector<std::array<int, 3>> triangles;
     constexpr int around = 12;
     for (int i = 0; i < 2; ++i)
-        for (int a = 0; a < around; ++a) vertices.emplace_back(4e-3 * i, 2e-3 * std::cos(2 * pi * a / around), 2e-3 * std::sin(2 * pi * a / around));
+        for (int a = 0; a < around; ++a)
+            vertices.emplace_back(4e-3 * i, 2e-3 * std::cos(2 * pi * a / around), 2e-3 * std::sin(2 * pi * a / around));
     for (int a = 0; a < around; ++a) {
         const int b = (a + 1) % around;
         triangles.push_back({a, b, b + around}), triangles.push_back({a, b + around, a + around});

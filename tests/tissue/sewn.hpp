@@ -33,18 +33,22 @@ struct Operation {
     std::array<Skin, 2> skin{Skin(rest[0]), Skin(rest[1])};
     std::array<std::vector<Bite>, 2> bites;
     struct Waypoint {
-        int vessel, hole;              // no hole: -1
+        int vessel, hole;  // no hole: -1
         Vec3 at = Vec3::Zero();
     };
     std::vector<std::vector<Waypoint>> led;
 
     // Counted from the middle of one of the tube's sixteen sides.
-    Vec3 outwards(double angle) const { return {0, std::cos((angle + 11.25) * degree), std::sin((angle + 11.25) * degree)}; }
+    Vec3 outwards(double angle) const {
+        return {0, std::cos((angle + 11.25) * degree), std::sin((angle + 11.25) * degree)};
+    }
 
     // On a side of a wall; in the cut halfway through.
     BiteEnd pierce(int vessel, const Place& place, Side side) {
         const auto v = static_cast<std::size_t>(vessel);
-        const double radius = side == Side::outer ? def.diameter / 2 : side == Side::inner ? def.diameter / 2 - def.wall : (def.diameter - def.wall) / 2;
+        const double radius = side == Side::outer   ? def.diameter / 2
+                              : side == Side::inner ? def.diameter / 2 - def.wall
+                                                    : (def.diameter - def.wall) / 2;
         const double along = (vessel == 0 ? -1 : 1) * (side == Side::cut ? 0 : place.from_cut);
         const Vec3 at = radius * outwards(place.angle) + along * Vec3::UnitX();
         const auto spot = skin[v].closest(at, at, 0.2 * mm);
@@ -89,8 +93,11 @@ struct Operation {
         std::vector<std::vector<Vec3>> all;
         for (const auto& way : led) {
             std::vector<Vec3> line;
-            for (const Waypoint& w : way) line.push_back(w.hole < 0 ? w.at : skin[static_cast<std::size_t>(w.vessel)].centre(w.hole));
-            const auto tail = [&](const Vec3& from) { return Vec3(from + 2 * mm * Vec3(0, from.y(), from.z()).normalized()); };
+            for (const Waypoint& w : way)
+                line.push_back(w.hole < 0 ? w.at : skin[static_cast<std::size_t>(w.vessel)].centre(w.hole));
+            const auto tail = [&](const Vec3& from) {
+                return Vec3(from + 2 * mm * Vec3(0, from.y(), from.z()).normalized());
+            };
             line.insert(line.begin(), tail(line.front())), line.push_back(tail(line.back()));
             all.push_back(line);
         }

@@ -36,7 +36,9 @@ struct Slab {
     int face(const Vec3& at) const {
         for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {
             const Vec3 w = skin.weights_in_face(f, at);
-            const auto z = [&](std::size_t k) { return mesh.nodes[static_cast<std::size_t>(mesh.faces[static_cast<std::size_t>(f)].nodes[k])].z(); };
+            const auto z = [&](std::size_t k) {
+                return mesh.nodes[static_cast<std::size_t>(mesh.faces[static_cast<std::size_t>(f)].nodes[k])].z();
+            };
             if (w.minCoeff() >= 0 && z(0) == 2 * edge && z(1) == z(0) && z(2) == z(0)) return f;
         }
         return -1;
@@ -45,7 +47,9 @@ struct Slab {
         const Vec3 at(x, y, 2 * edge);
         return skin.pierce(face(at), at, -Vec3::UnitZ(), radius);
     }
-    bool is_open(double x, double y) const { return skin.hit({x, y, 1}, {x, y, edge}, Skin::Facing::against).triangle < 0; }
+    bool is_open(double x, double y) const {
+        return skin.hit({x, y, 1}, {x, y, edge}, Skin::Facing::against).triangle < 0;
+    }
 };
 
 // The octagon is out, the rest is there: rays from above.
@@ -54,7 +58,7 @@ void expect_open_about(const Slab& slab, double x, double y) {
     for (int i = 0; i < 300; ++i) {
         const double turn = random.between(0, 2 * std::numbers::pi), far = random.between(0, 3 * radius);
         const Vec3 at(x + far * std::cos(turn), y + far * std::sin(turn), 0);
-        const bool in = far < radius * (1 - 1e-9), out = far > 1.0824 * radius;  // the secant of an eighth of a half turn
+        const bool in = far<radius*(1 - 1e-9), out = far> 1.0824 * radius;  // the secant of an eighth of a half turn
         if (in || out) {
             EXPECT_EQ(slab.is_open(at.x(), at.y()), in) << far / radius;
         }
@@ -65,7 +69,10 @@ TEST(Skin, LosesTheHole) {
     const struct {
         const char* where;
         double x, y;
-    } places[] = {{"in a triangle", 1.13e-3, 1.31e-3}, {"over an edge", 1.5e-3, 1.27e-3}, {"over a diagonal", 1.25e-3, 1.25e-3}, {"over a vertex", 1.5e-3, 1.5e-3}};
+    } places[] = {{"in a triangle", 1.13e-3, 1.31e-3},
+                  {"over an edge", 1.5e-3, 1.27e-3},
+                  {"over a diagonal", 1.25e-3, 1.25e-3},
+                  {"over a vertex", 1.5e-3, 1.5e-3}};
     for (const auto& [where, x, y] : places) {
         SCOPED_TRACE(where);
         Slab slab;
@@ -86,17 +93,22 @@ TEST(Skin, HasHolesThatOverlap) {
     const double before = area(slab.skin), apart = 1.1 * radius;
     slab.pierce(1.13e-3, 1.31e-3);
     slab.pierce(1.13e-3 + apart, 1.31e-3);
-    const double a = apart / 2 / radius;                   // what both have lies between their slanted sides, a half beyond each side of the middle
-    const double both = 4 * radius * radius * (std::sqrt(2.0) * (1 - a) - (1 - a * a) / 2), lost = before - area(slab.skin);
+    const double a =
+        apart / 2 / radius;  // what both have lies between their slanted sides, a half beyond each side of the middle
+    const double both = 4 * radius * radius * (std::sqrt(2.0) * (1 - a) - (1 - a * a) / 2),
+                 lost = before - area(slab.skin);
     EXPECT_NEAR(lost, 2 * octagon - both, 1e-9 * octagon);
     for (const double x : {1.13e-3, 1.13e-3 + apart})
-        for (int k = 0; k < 64; ++k) EXPECT_TRUE(slab.is_open(x + 0.99 * radius * std::cos(0.1 * k), 1.31e-3 + 0.99 * radius * std::sin(0.1 * k)));
+        for (int k = 0; k < 64; ++k)
+            EXPECT_TRUE(
+                slab.is_open(x + 0.99 * radius * std::cos(0.1 * k), 1.31e-3 + 0.99 * radius * std::sin(0.1 * k)));
     EXPECT_FALSE(slab.is_open(1.13e-3 - 1.1 * radius, 1.31e-3));
-    slab.pierce(1.13e-3, 1.31e-3);                         // again where it is open already
+    slab.pierce(1.13e-3, 1.31e-3);  // again where it is open already
     EXPECT_NEAR(before - area(slab.skin), lost, 1e-9 * lost);
 }
 
-// Wide enough for what tears it from end to end and no wider, whatever is there already, and across neighbours' edges; strained it moves with the wall.
+// Wide enough for what tears it from end to end and no wider, whatever is there already, and across neighbours' edges;
+// strained it moves with the wall.
 TEST(Skin, IsSlit) {
     Slab slab;
     const Vec3 from(0.63e-3, 1.31e-3, 2 * edge), to(2.2e-3, 1.31e-3, 2 * edge);
@@ -107,7 +119,9 @@ TEST(Skin, IsSlit) {
     EXPECT_EQ(slab.skin.holes(), 1);
     EXPECT_NEAR(before - area(slab.skin), octagon + 2 * radius * length, 1e-9 * octagon);
     for (int k = 0; k <= 100; ++k)
-        for (const double across : {-1.01, -0.99, 0.0, 0.99, 1.01}) EXPECT_EQ(slab.is_open(from.x() + k * length / 100, from.y() + across * radius), std::abs(across) < 1) << k << " " << across;
+        for (const double across : {-1.01, -0.99, 0.0, 0.99, 1.01})
+            EXPECT_EQ(slab.is_open(from.x() + k * length / 100, from.y() + across * radius), std::abs(across) < 1)
+                << k << " " << across;
     std::vector<Vec3> nodes;
     for (const Vec3& p : slab.mesh.nodes) nodes.emplace_back(1.3 * p.x(), p.y(), p.z());
     slab.skin.update(nodes);
@@ -124,7 +138,8 @@ TEST(Skin, KnowsWhatItsTrianglesArePartsOf) {
     std::vector<Triangle> before;
     for (int i = 0; i < slab.skin.size(); ++i) before.push_back(slab.skin[i]);
     slab.pierce(1.13e-3, 1.31e-3);
-    slab.skin.slit(slab.face({1.13e-3, 1.31e-3, 2 * edge}), {1.13e-3, 1.31e-3, 2 * edge}, {2.2e-3, 1.4e-3, 2 * edge}, 2 * radius);
+    slab.skin.slit(slab.face({1.13e-3, 1.31e-3, 2 * edge}), {1.13e-3, 1.31e-3, 2 * edge}, {2.2e-3, 1.4e-3, 2 * edge},
+                   2 * radius);
     ASSERT_EQ(slab.skin.parts().size(), static_cast<std::size_t>(slab.skin.size()));
     int cut = 0;
     for (int i = 0; i < slab.skin.size(); ++i) {
@@ -150,12 +165,14 @@ TEST(Skin, HasAHoleOnItsRim) {
     EXPECT_NEAR(before - area(slab.skin), octagon / 2, 1e-9 * octagon);
 }
 
-// Drawn to one and a half times its length, narrower by as much as a volume that stays asks, or sheared: the hole still lets through what is in it.
+// Drawn to one and a half times its length, narrower by as much as a volume that stays asks, or sheared: the hole still
+// lets through what is in it.
 TEST(Skin, KeepsItsHolesOpen) {
     for (const auto& [x, y] : {std::pair(1.13e-3, 1.31e-3), {1.5e-3, 1.27e-3}, {1.5e-3, 1.5e-3}}) {
         Slab slab;
         slab.pierce(x, y);
-        for (const Vec3& stretch : {Vec3(1.5, 0.8165, 0.8165), Vec3(0.8165, 1.5, 0.8165), Vec3(1.5, 0.6667, 1), Vec3(1.2247, 1.2247, 0.6667), Vec3(0.7, 0.7, 2.04)}) {
+        for (const Vec3& stretch : {Vec3(1.5, 0.8165, 0.8165), Vec3(0.8165, 1.5, 0.8165), Vec3(1.5, 0.6667, 1),
+                                    Vec3(1.2247, 1.2247, 0.6667), Vec3(0.7, 0.7, 2.04)}) {
             SCOPED_TRACE(testing::Message() << x << " " << y << ": " << stretch.transpose());
             std::vector<Vec3> nodes;
             for (const Vec3& p : slab.mesh.nodes) nodes.push_back(p.cwiseProduct(stretch) + Vec3(0.3 * p.y(), 0, 0));
@@ -164,12 +181,14 @@ TEST(Skin, KeepsItsHolesOpen) {
             for (int k = 0; k < 200; ++k) {
                 const double far = 0.999 * radius * ((k % 4) + 1) / 4;
                 EXPECT_TRUE(slab.is_open(centre.x() + far * std::cos(0.1 * k), centre.y() + far * std::sin(0.1 * k)));
-                EXPECT_FALSE(slab.is_open(centre.x() + 1.09 * radius * std::cos(0.1 * k), centre.y() + 1.09 * radius * std::sin(0.1 * k)));
+                EXPECT_FALSE(slab.is_open(centre.x() + 1.09 * radius * std::cos(0.1 * k),
+                                          centre.y() + 1.09 * radius * std::sin(0.1 * k)));
             }
             const double top = 0.999 * 2 * edge * stretch.z();
             for (int i = 0; i < slab.skin.size(); ++i) {
                 const Triangle& t = slab.skin[i];
-                const double longest = std::max({(t.b - t.a).norm(), (t.c - t.b).norm(), (t.a - t.c).norm()}), thin = (t.b - t.a).cross(t.c - t.a).norm() / longest;
+                const double longest = std::max({(t.b - t.a).norm(), (t.c - t.b).norm(), (t.a - t.c).norm()}),
+                             thin = (t.b - t.a).cross(t.c - t.a).norm() / longest;
                 if (std::min({t.a.z(), t.b.z(), t.c.z()}) > top && thin > 0.1 * radius) {
                     EXPECT_GT(slab.skin.normal(i).z(), 0.99) << thin / radius;
                 }
@@ -178,8 +197,8 @@ TEST(Skin, KeepsItsHolesOpen) {
     }
 }
 
-// Rays beside a wire, as near as what is swaged to it, meet nothing, though the wall is tilted under it and has slid aside. Without being told of the
-// wire the opening is too narrow for them: seen along it by the cosine, a quarter.
+// Rays beside a wire, as near as what is swaged to it, meet nothing, though the wall is tilted under it and has slid
+// aside. Without being told of the wire the opening is too narrow for them: seen along it by the cosine, a quarter.
 TEST(Skin, HasRimsRoundAWire) {
     const double tilt = 75 * std::numbers::pi / 180;
     for (const double turned : {0.0, 0.7, 2.2, 4.1})
@@ -189,13 +208,15 @@ TEST(Skin, HasRimsRoundAWire) {
             const int hole = slab.pierce(1.5e-3, 1.27e-3);
             const Vec3 middle = slab.skin.centre(hole), axis(std::cos(turned), std::sin(turned), 0);
             std::vector<Vec3> tilted;
-            for (const Vec3& node : slab.mesh.nodes) tilted.push_back(middle + Eigen::AngleAxisd(tilt, axis) * (node - middle));
+            for (const Vec3& node : slab.mesh.nodes)
+                tilted.push_back(middle + Eigen::AngleAxisd(tilt, axis) * (node - middle));
             const Vec3 wire = middle + 0.8 * radius * axis;
             const auto meets = [&] {
                 int met = 0;
                 for (int k = 0; k < 8; ++k) {
                     const double turn = k * std::numbers::pi / 4;
-                    const Vec3 beside = wire + 0.4 * radius * Vec3(std::cos(turn), std::sin(turn), 0), up = 2 * radius * Vec3::UnitZ();
+                    const Vec3 beside = wire + 0.4 * radius * Vec3(std::cos(turn), std::sin(turn), 0),
+                               up = 2 * radius * Vec3::UnitZ();
                     met += slab.skin.hit(beside + up, beside - up, Skin::Facing::either).triangle >= 0;
                 }
                 return met;
@@ -222,7 +243,9 @@ TEST(Skin, KnowsThePointsOfTheWall) {
         const Vec3 weights(0.2, 0.3, 0.5), at = 0.2 * slab.skin[i].a + 0.3 * slab.skin[i].b + 0.5 * slab.skin[i].c;
         const MaterialPoint point = slab.skin.point(i, weights);
         Vec3 found = Vec3::Zero();
-        for (std::size_t k = 0; k < 4; ++k) found += point.weights[k] * slab.mesh.nodes[static_cast<std::size_t>(slab.mesh.tetrahedra[static_cast<std::size_t>(point.tetrahedron)][k])];
+        for (std::size_t k = 0; k < 4; ++k)
+            found += point.weights[k] * slab.mesh.nodes[static_cast<std::size_t>(
+                                            slab.mesh.tetrahedra[static_cast<std::size_t>(point.tetrahedron)][k])];
         EXPECT_LE((found - at).norm(), 1e-12);
     }
     const auto spot = slab.skin.closest({1e-3, 1e-3, 2e-3}, {1.2e-3, 1.1e-3, 1.5e-3}, 1e-3);
@@ -257,7 +280,8 @@ TEST(Skin, BearsFiveHundredHoles) {
         if (n % 7 == 0) weights = Vec3::UnitX();
         const auto& nodes = mesh.faces[static_cast<std::size_t>(face)].nodes;
         Vec3 at = Vec3::Zero();
-        for (std::size_t k = 0; k < 3; ++k) at += weights[static_cast<Eigen::Index>(k)] * mesh.nodes[static_cast<std::size_t>(nodes[k])];
+        for (std::size_t k = 0; k < 3; ++k)
+            at += weights[static_cast<Eigen::Index>(k)] * mesh.nodes[static_cast<std::size_t>(nodes[k])];
         const Vec3 way(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
         const double before = area(skin);
         skin.pierce(face, at, way, random.between(0.5, 1.5) * radius);
@@ -266,7 +290,8 @@ TEST(Skin, BearsFiveHundredHoles) {
         if (n % 50 != 49) continue;
         EXPECT_GT(area(skin), 0.8 * whole);
         skin.update(bent);
-        for (int i = 0; i < skin.size(); ++i) ASSERT_TRUE(skin[i].a.allFinite() && skin[i].b.allFinite() && skin[i].c.allFinite());
+        for (int i = 0; i < skin.size(); ++i)
+            ASSERT_TRUE(skin[i].a.allFinite() && skin[i].b.allFinite() && skin[i].c.allFinite());
     }
 }
 

@@ -13,7 +13,8 @@ constexpr MaterialPoint point{0, {0.25, 0.25, 0.25, 0.25}};  // next to the cut
 std::vector<Hold> far_end_held(const Mesh& mesh) {
     std::vector<Hold> holds;
     const int section = TubeDef{}.around * (TubeDef{}.through + 1);
-    for (int i = static_cast<int>(mesh.nodes.size()) - section; i < static_cast<int>(mesh.nodes.size()); ++i) holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
+    for (int i = static_cast<int>(mesh.nodes.size()) - section; i < static_cast<int>(mesh.nodes.size()); ++i)
+        holds.push_back({i, mesh.nodes[static_cast<std::size_t>(i)]});
     return holds;
 }
 
@@ -30,7 +31,7 @@ double own_stiffness(const Vec3& way) {
 
 // A spring from the point to where `goal` is, seized when the wall's factors know nothing of it.
 struct Drawn {
-    std::vector<double> gaps;   // [m]
+    std::vector<double> gaps;  // [m]
     bool loses_energy = true;
 };
 Drawn drawn_to(const Vec3& goal_from_rest, double stiffness, int steps, bool implicit = true) {
@@ -52,7 +53,8 @@ Drawn drawn_to(const Vec3& goal_from_rest, double stiffness, int steps, bool imp
     return drawn;
 }
 
-// A thousand newtons a metre: twenty times what the wall itself has and more. Most of the way in one step, though the factors know nothing of it, and never back.
+// A thousand newtons a metre: twenty times what the wall itself has and more. Most of the way in one step, though the
+// factors know nothing of it, and never back.
 TEST(StiffForce, ComesToBalanceInAFewSteps) {
     constexpr double stiffness = 1000, far = 0.3e-3;
     for (const Vec3& way : {Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.6, 0, -0.8)}) {
@@ -64,7 +66,8 @@ TEST(StiffForce, ComesToBalanceInAFewSteps) {
         EXPECT_LT(balance, far / 20);
         EXPECT_LT(drawn.gaps[0], 0.25 * far);
         EXPECT_LT(drawn.gaps[4] - balance, 0.02 * far);
-        for (std::size_t i = 1; i < drawn.gaps.size(); ++i) EXPECT_LE(drawn.gaps[i], drawn.gaps[i - 1] + 1e-4 * far) << i;
+        for (std::size_t i = 1; i < drawn.gaps.size(); ++i)
+            EXPECT_LE(drawn.gaps[i], drawn.gaps[i - 1] + 1e-4 * far) << i;
     }
 }
 
@@ -82,7 +85,8 @@ TEST(StiffForce, HoldsBackOneWayAlone) {
         const Vec3 start = tissue.position(point);
         for (int i = 0; i < 20; ++i) {
             const Vec3 here = tissue.position(point);
-            const PointForce forces[] = {{point, Vec3(-0.01, 0, 0.01) + Vec3(stiffness * (start - here).x(), 0, 0), stiffness, Vec3::UnitX()}};
+            const PointForce forces[] = {
+                {point, Vec3(-0.01, 0, 0.01) + Vec3(stiffness * (start - here).x(), 0, 0), stiffness, Vec3::UnitX()}};
             tissue.step({.holds = holds, .forces = forces}, step);
         }
         return Vec3(tissue.position(point) - start);

@@ -28,17 +28,21 @@ std::vector<Hold> far_end_held(const Mesh& mesh) {
 }
 
 // In the middle of the wall of the cell that begins at the cut, next to the plane z = 0.
-MaterialPoint at_the_cut() { return {0, {0.25, 0.25, 0.25, 0.25}}; }
+MaterialPoint at_the_cut() {
+    return {0, {0.25, 0.25, 0.25, 0.25}};
+}
 
 double smallest_volume(const Tissue& tissue) {
     double least = 1;
-    for (const Tetrahedron& tet : tissue.rest().tetrahedra) least = std::min(least, volume(tet, tissue.nodes()) / volume(tet, tissue.rest().nodes));
+    for (const Tetrahedron& tet : tissue.rest().tetrahedra)
+        least = std::min(least, volume(tet, tissue.nodes()) / volume(tet, tissue.rest().nodes));
     return least;
 }
 
 double farthest_from_rest(const Tissue& tissue) {
     double most = 0;
-    for (std::size_t i = 0; i < tissue.nodes().size(); ++i) most = std::max(most, (tissue.nodes()[i] - tissue.rest().nodes[i]).norm());
+    for (std::size_t i = 0; i < tissue.nodes().size(); ++i)
+        most = std::max(most, (tissue.nodes()[i] - tissue.rest().nodes[i]).norm());
     return most;
 }
 
@@ -56,7 +60,8 @@ TEST(Material, FollowsANeoHookeanInThePatchTests) {
 
 // D17 and D18; `carrel bench tissue` has all of their loads.
 TEST(Material, FillsAndStretchesTubesAsTheoryHasIt) {
-    for (const double axial : {1.0, 1.2}) EXPECT_LE(std::abs(app::bench::inflated_radius({}, 1.3, axial).error()), 0.05);
+    for (const double axial : {1.0, 1.2})
+        EXPECT_LE(std::abs(app::bench::inflated_radius({}, 1.3, axial).error()), 0.05);
     EXPECT_LE(std::abs(app::bench::clamped_force({}, 1.2).error()), 0.05);
 }
 
@@ -73,7 +78,9 @@ TEST(Material, FillsTubesOfThinCellsAndOfAnySize) {
 TEST(Material, DoesNotLock) {
     using app::bench::VesselPull;
     constexpr double force = 0.02;
-    const auto moved = [&](double finer, bool locks) { return app::bench::pulled(VesselPull(app::bench::vessel(finer), locks), force).edge; };
+    const auto moved = [&](double finer, bool locks) {
+        return app::bench::pulled(VesselPull(app::bench::vessel(finer), locks), force).edge;
+    };
     const Vec3 finer = moved(1.5, false);
     EXPECT_LE((moved(1, false) - finer).norm(), 0.05 * finer.norm());
     EXPECT_GE((moved(1, true) - finer).norm(), 0.15 * finer.norm());
@@ -83,7 +90,8 @@ TEST(Tissue, StaysAtRestWhereNothingPulls) {
     const Mesh mesh = make_tube({});
     Tissue tissue({}, mesh);
     for (int i = 0; i < 100; ++i) tissue.step({}, tick);
-    EXPECT_LE(farthest_from_rest(tissue), 1e-9 * mesh.nodes.back().norm());  // rounding adds up where nothing holds a tube
+    EXPECT_LE(farthest_from_rest(tissue),
+              1e-9 * mesh.nodes.back().norm());         // rounding adds up where nothing holds a tube
     const double wall = 3.14 * 3.5e-3 * 0.5e-3 * 8e-3;  // [m^3]
     EXPECT_NEAR(tissue.energy(), 0, 1e-12 * tissue.material().shear() * wall);
 }
@@ -114,7 +122,8 @@ TEST(Tissue, DoesNotMindHowSpaceIsTurned) {
 }
 
 // Pulled at nodes of its plane of symmetry a tube stays symmetric, for cells are mirrored too.
-// Where it is stable: what rounding does to one side is a millionth of what moves. A pull that folds the cut makes more of it on the way, and is symmetric where it comes to rest.
+// Where it is stable: what rounding does to one side is a millionth of what moves. A pull that folds the cut makes more
+// of it on the way, and is symmetric where it comes to rest.
 TEST(Tissue, KeepsItsPlaneOfSymmetry) {
     const TubeDef def{.around = 12, .through = 1};
     const Mesh mesh = make_tube(def);
@@ -128,7 +137,9 @@ TEST(Tissue, KeepsItsPlaneOfSymmetry) {
         Tissue tissue({}, mesh);
         const PointForce forces[] = {{node_zero, {-pull, pull, 0}}};
         for (int i = 0; i < steps; ++i) tissue.step({.holds = holds, .forces = forces}, tick);
-        const auto node = [&](int along, int a, int t) { return tissue.nodes()[static_cast<std::size_t>((along * def.around + a) * (def.through + 1) + t)]; };
+        const auto node = [&](int along, int a, int t) {
+            return tissue.nodes()[static_cast<std::size_t>((along * def.around + a) * (def.through + 1) + t)];
+        };
         EXPECT_GT((node(0, 0, 0) - mesh.nodes[0]).norm(), 1e-3);
         for (int along = 0; along < def.near; ++along)
             for (int a = 0; a < def.around; ++a)
@@ -152,7 +163,8 @@ TEST(Tissue, LosesItsStrainInTheTimeOfRelaxation) {
     EXPECT_NEAR(strain / 0.02, std::exp(-1.0), 0.02);
 }
 
-// Let go from any shape, with old factors and steps as long as one likes, a tube only ever loses energy, and in the end hardly any is left.
+// Let go from any shape, with old factors and steps as long as one likes, a tube only ever loses energy, and in the end
+// hardly any is left.
 TEST(Tissue, LosesEnergyWhateverTheStep) {
     for (const double seconds : {1e-4, 1e-3, 1e-2, 1.0}) {
         SCOPED_TRACE(seconds);
@@ -173,7 +185,8 @@ TEST(Tissue, LosesEnergyWhateverTheStep) {
     }
 }
 
-// Yanked to and fro by a newton, ten times what its softness would bear: it cannot gain more than the work that the force does on it.
+// Yanked to and fro by a newton, ten times what its softness would bear: it cannot gain more than the work that the
+// force does on it.
 TEST(Tissue, GainsNoMoreThanItIsGiven) {
     for (const double seconds : {1e-3, 4e-3, 0.1}) {
         SCOPED_TRACE(seconds);
@@ -182,7 +195,8 @@ TEST(Tissue, GainsNoMoreThanItIsGiven) {
         Tissue tissue({}, mesh, {.steps_per_factor = 20});
         double work = 0;
         for (int i = 0; i < 200; ++i) {
-            const Vec3 before = tissue.position(at_the_cut()), force = i % 40 < 20 ? Vec3(-0.8, 0.6, 0) : Vec3(0.6, 0, 0.8);
+            const Vec3 before = tissue.position(at_the_cut()),
+                       force = i % 40 < 20 ? Vec3(-0.8, 0.6, 0) : Vec3(0.6, 0, 0.8);
             const PointForce forces[] = {{at_the_cut(), force}};
             tissue.step({.holds = holds, .forces = forces}, seconds);
             work += force.dot(tissue.position(at_the_cut()) - before);
@@ -236,7 +250,8 @@ TEST(Tissue, HoldsWhereItIsTold) {
     EXPECT_LT(farthest_from_rest(tissue), 5e-6);
 }
 
-// Seized while it moves, a node stays where it is seized from that step on, though directions are carried over and the factors do not know.
+// Seized while it moves, a node stays where it is seized from that step on, though directions are carried over and the
+// factors do not know.
 TEST(Tissue, IsHeldFromOneStepToTheNext) {
     const Mesh mesh = make_tube({});
     Tissue tissue({}, mesh);

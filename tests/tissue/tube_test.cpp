@@ -8,7 +8,9 @@
 
 namespace tissue {
 
-static void PrintTo(const TubeDef& def, std::ostream* out) { *out << 1e3 * def.diameter << "_mm_cut_at_" << def.cut_angle << "_" << def.around << "_around"; }
+static void PrintTo(const TubeDef& def, std::ostream* out) {
+    *out << 1e3 * def.diameter << "_mm_cut_at_" << def.cut_angle << "_" << def.around << "_around";
+}
 
 }  // namespace tissue
 
@@ -38,7 +40,8 @@ double area_of(const Mesh& mesh, Side side) {
 
 double volume_inside_faces(const Mesh& mesh) {
     double sum = 0;
-    for (const Face& face : mesh.faces) sum += mesh.nodes[static_cast<std::size_t>(face.nodes[0])].dot(area_of(mesh, face)) / 3;
+    for (const Face& face : mesh.faces)
+        sum += mesh.nodes[static_cast<std::size_t>(face.nodes[0])].dot(area_of(mesh, face)) / 3;
     return sum;
 }
 
@@ -56,7 +59,8 @@ bool is_watertight(const Mesh& mesh) {
 
 struct Tube : testing::TestWithParam<TubeDef> {};
 
-// Slanted or straight, the cylinder's volume to rounding: each section has the ring's area, and a slant takes from one side what it gives to the other.
+// Slanted or straight, the cylinder's volume to rounding: each section has the ring's area, and a slant takes from one
+// side what it gives to the other.
 TEST_P(Tube, HasTheVolumeOfARing) {
     const TubeDef& def = GetParam();
     const Mesh mesh = make_tube(def);
@@ -66,9 +70,12 @@ TEST_P(Tube, HasTheVolumeOfARing) {
     for (const Tetrahedron& tet : mesh.tetrahedra) EXPECT_GT(volume(tet, mesh.nodes), 0);
 }
 
-TEST_P(Tube, IsWatertight) { EXPECT_TRUE(is_watertight(make_tube(GetParam()))); }
+TEST_P(Tube, IsWatertight) {
+    EXPECT_TRUE(is_watertight(make_tube(GetParam())));
+}
 
-// Flat ends are as large as the ring, over the sine of the cut's angle; a polygon's side is below a circle's by a share of 2 (pi / around)^2 at most.
+// Flat ends are as large as the ring, over the sine of the cut's angle; a polygon's side is below a circle's by a share
+// of 2 (pi / around)^2 at most.
 TEST_P(Tube, KnowsItsSides) {
     const TubeDef& def = GetParam();
     const Mesh mesh = make_tube(def);
@@ -76,7 +83,8 @@ TEST_P(Tube, KnowsItsSides) {
     EXPECT_NEAR(area_of(mesh, Side::far_end), ring, 1e-9 * ring);
     EXPECT_NEAR(area_of(mesh, Side::cut), ring / std::sin(def.cut_angle * pi / 180), 1e-9 * ring);
     if (def.cut_angle == 90) {
-        EXPECT_NEAR(area_of(mesh, Side::outer), pi * def.diameter * def.length, polygon * pi * def.diameter * def.length);
+        EXPECT_NEAR(area_of(mesh, Side::outer), pi * def.diameter * def.length,
+                    polygon * pi * def.diameter * def.length);
         const double inner = pi * (def.diameter - 2 * def.wall) * def.length;
         EXPECT_NEAR(area_of(mesh, Side::inner), inner, polygon * inner);
     }
@@ -84,16 +92,33 @@ TEST_P(Tube, KnowsItsSides) {
         const Vec3 out = area_of(mesh, face), middle = mesh.nodes[static_cast<std::size_t>(face.nodes[0])];
         const double from_axis = out.y() * middle.y() + out.z() * middle.z();
         switch (face.side) {
-            case Side::outer: EXPECT_GT(from_axis, 0); break;
-            case Side::inner: EXPECT_LT(from_axis, 0); break;
-            case Side::cut: EXPECT_LT(out.x(), 0); break;
-            case Side::far_end: EXPECT_GT(out.x(), 0); break;
+            case Side::outer:
+                EXPECT_GT(from_axis, 0);
+                break;
+            case Side::inner:
+                EXPECT_LT(from_axis, 0);
+                break;
+            case Side::cut:
+                EXPECT_LT(out.x(), 0);
+                break;
+            case Side::far_end:
+                EXPECT_GT(out.x(), 0);
+                break;
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Defs, Tube, testing::Values(TubeDef{}, TubeDef{.cut_angle = 60}, TubeDef{.cut_angle = 45, .around = 6, .through = 1},
-    TubeDef{.diameter = 1e-3, .wall = 0.1e-3, .length = 2e-3, .around = 32, .through = 3, .near = 5, .near_length = 2e-3, .far = 0}));
+INSTANTIATE_TEST_SUITE_P(Defs, Tube,
+                         testing::Values(TubeDef{}, TubeDef{.cut_angle = 60},
+                                         TubeDef{.cut_angle = 45, .around = 6, .through = 1},
+                                         TubeDef{.diameter = 1e-3,
+                                                 .wall = 0.1e-3,
+                                                 .length = 2e-3,
+                                                 .around = 32,
+                                                 .through = 3,
+                                                 .near = 5,
+                                                 .near_length = 2e-3,
+                                                 .far = 0}));
 
 TEST(TubeDef, IsFineNearTheCut) {
     const TubeDef def;

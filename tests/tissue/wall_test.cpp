@@ -22,13 +22,15 @@ struct Surface {
     std::vector<std::array<int, 3>> triangles;
 };
 
-// Rings of a torus or, where it does not close, of a bent tube: radius 2 mm about a circle of 10 mm, `turns` of it. Counter-clockwise from outside.
+// Rings of a torus or, where it does not close, of a bent tube: radius 2 mm about a circle of 10 mm, `turns` of it.
+// Counter-clockwise from outside.
 Surface bent_tube(bool closed, double turns = 1) {
     constexpr int along = 24, around = 12;
     Surface s;
     for (int i = 0; i < along; ++i)
         for (int k = 0; k < around; ++k) {
-            const double turn = turns * 2 * pi * i / along, roll = 2 * pi * k / around, out = 10e-3 + 2e-3 * std::cos(roll);
+            const double turn = turns * 2 * pi * i / along, roll = 2 * pi * k / around,
+                         out = 10e-3 + 2e-3 * std::cos(roll);
             s.vertices.push_back({out * std::cos(turn), out * std::sin(turn), 2e-3 * std::sin(roll)});
         }
     for (int i = 0; i < (closed ? along : along - 1); ++i)
@@ -50,7 +52,9 @@ double volume_of(const Mesh& mesh) {
 double volume_inside_faces(const Mesh& mesh) {
     double sum = 0;
     for (const Face& face : mesh.faces) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(face.nodes[k])]; };
+        const auto at = [&](std::size_t k) -> const Vec3& {
+            return mesh.nodes[static_cast<std::size_t>(face.nodes[k])];
+        };
         sum += at(0).dot(at(1).cross(at(2))) / 6;
     }
     return sum;
@@ -75,7 +79,8 @@ TEST(Wall, OfATubeHasItsThickness) {
         EXPECT_TRUE(is_watertight(wall.mesh));
         EXPECT_NEAR(volume_of(wall.mesh), volume_inside_faces(wall.mesh), 1e-9 * volume_of(wall.mesh));
         const double expected = pi * (2 * 2 - 1.5 * 1.5) * 2 * pi * 10 * 1e-9 * (closed ? 1 : 23.0 / 24);
-        EXPECT_NEAR(volume_of(wall.mesh), expected, 0.1 * expected);  // twelve sides lack a twentieth of a circle's area
+        EXPECT_NEAR(volume_of(wall.mesh), expected,
+                    0.1 * expected);  // twelve sides lack a twentieth of a circle's area
     }
 }
 
@@ -88,7 +93,8 @@ TEST(Wall, GivesWayAndComesBack) {
     const auto last = static_cast<int>(wall.mesh.tetrahedra.size()) - 1;
     const auto farthest = [&] {
         double most = 0;
-        for (std::size_t i = 0; i < tissue.nodes().size(); ++i) most = std::max(most, (tissue.nodes()[i] - wall.mesh.nodes[i]).norm());
+        for (std::size_t i = 0; i < tissue.nodes().size(); ++i)
+            most = std::max(most, (tissue.nodes()[i] - wall.mesh.nodes[i]).norm());
         return most;
     };
     const PointForce forces[] = {{{last, {0.25, 0.25, 0.25, 0.25}}, {0, 0, 1e-2}}};
@@ -104,7 +110,8 @@ class Files : public testing::Test {
     std::string outcome(const Surface& s, double unit = 1e3, const WallDef& def = {}) const {
         const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "wall.obj";
         std::ofstream out(file);
-        for (const Vec3& v : s.vertices) out << "v " << unit * v.x() << ' ' << unit * v.y() << ' ' << unit * v.z() << '\n';
+        for (const Vec3& v : s.vertices)
+            out << "v " << unit * v.x() << ' ' << unit * v.y() << ' ' << unit * v.z() << '\n';
         for (const auto& [a, b, c] : s.triangles) out << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
         out.close();
         try {
@@ -135,7 +142,8 @@ TEST_F(Files, RunOrSayWhatIsWrong) {
 
     Surface flipped = clean;
     std::swap(flipped.triangles[100][0], flipped.triangles[100][1]);
-    EXPECT_TRUE(outcome(flipped).ends_with("faces the other way than its neighbour, turn one around")) << outcome(flipped);
+    EXPECT_TRUE(outcome(flipped).ends_with("faces the other way than its neighbour, turn one around"))
+        << outcome(flipped);
 
     Surface inwards = clean;
     for (auto& t : inwards.triangles) std::swap(t[0], t[1]);
@@ -166,13 +174,16 @@ TEST_F(Files, RunOrSayWhatIsWrong) {
 
     Surface flat = clean;
     flat.vertices[14] = flat.vertices[13];
-    EXPECT_TRUE(outcome(flat).find("has no area, remove it") != std::string::npos || outcome(flat).find("edge") != std::string::npos) << outcome(flat);
+    EXPECT_TRUE(outcome(flat).find("has no area, remove it") != std::string::npos ||
+                outcome(flat).find("edge") != std::string::npos)
+        << outcome(flat);
 
     Surface twice = open;
     twice.triangles.push_back(twice.triangles[7]);
     EXPECT_TRUE(outcome(twice).ends_with("is there twice, remove one")) << outcome(twice);
 
-    EXPECT_TRUE(outcome(clean, 1).find("is it written in mm?") != std::string::npos || outcome(clean, 1e-3).find("is it written in mm?") != std::string::npos);
+    EXPECT_TRUE(outcome(clean, 1).find("is it written in mm?") != std::string::npos ||
+                outcome(clean, 1e-3).find("is it written in mm?") != std::string::npos);
     EXPECT_TRUE(outcome(clean, 1e6).find("is it written in mm?") != std::string::npos);
 
     Surface touching = open;  // two triangles more that share a vertex of the rim with it, and nothing else
@@ -182,7 +193,8 @@ TEST_F(Files, RunOrSayWhatIsWrong) {
     touching.triangles.push_back({0, first + 1, first + 2});
     EXPECT_EQ(outcome(touching), "parts of the surface meet in vertex 1 alone, part them");
 
-    EXPECT_TRUE(outcome(clean, 1e3, {.thickness = 3e-3}).starts_with("the wall is too thick for how its surface curves at triangle"));
+    EXPECT_TRUE(outcome(clean, 1e3, {.thickness = 3e-3})
+                    .starts_with("the wall is too thick for how its surface curves at triangle"));
 }
 
 // What a loader would have found already is found again: this room takes any numbers.
@@ -197,7 +209,8 @@ TEST(Wall, SaysWhatIsWrongWithNumbers) {
     EXPECT_EQ(problem({{0, 1, 1}}, 2), "triangle 1 has no area, remove it");
     EXPECT_EQ(problem({{0, 1, 2}}, 4), "vertex 4 belongs to no triangle, remove it");
     EXPECT_EQ(problem({{0, 1, 2}, {3, 1, 2}}, 4), "triangle 2 faces the other way than its neighbour, turn one around");
-    EXPECT_EQ(problem({{0, 1, 2}}, 3, {.thickness = 0}), "a wall must be thicker than 0 and have at least one cell through it");
+    EXPECT_EQ(problem({{0, 1, 2}}, 3, {.thickness = 0}),
+              "a wall must be thicker than 0 and have at least one cell through it");
 }
 
 }  // namespace walls

@@ -156,7 +156,8 @@ void check_program(const std::string& command, const std::string& file, const Fo
 TEST(BrokenFiles, AByteOrderMarkBreaksNone) {
     const Folder folder;
     const std::string mark = "\xEF\xBB\xBF";
-    EXPECT_NO_THROW(scenarios::drill::load_motion(folder.write("m.csv", mark + header + good_rows), std::vector<std::string>{"left", "right"}));
+    EXPECT_NO_THROW(scenarios::drill::load_motion(folder.write("m.csv", mark + header + good_rows),
+                                                  std::vector<std::string>{"left", "right"}));
     EXPECT_NO_THROW(scenarios::drill::load_waypoints(folder.write("w.waypoints", mark + "start left 0 0 0 jaw 1\n")));
 }
 

@@ -70,26 +70,35 @@ std::string elastic(const std::string& effects, const std::string& more = "") {
 
 // The drill with a needle in vessels that give way.
 std::string needle(const std::string& towards, const std::string& bulge) {
-    std::string text = with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": )" + towards + ", \"bulge\": " + bulge + "}");
+    std::string text = with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": )" +
+                                                     towards + ", \"bulge\": " + bulge + "}");
     return text.replace(text.find("{\"gravity\": false}"), 18, "{\"tissue\": \"elastic\"}");
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
 
 // Another vessel of 4 mm across it, so far aside.
 std::string beside_carotid(const std::string& aside_mm) {
-    return with(R"("length_mm": 30}})", R"("length_mm": 30}}, {"name": "vein", "axis": [0.6, 0, 0.8], "centre_mm": [2, )" + aside_mm + R"(, 1], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 20}})");
+    return with(R"("length_mm": 30}})",
+                R"("length_mm": 30}}, {"name": "vein", "axis": [0.6, 0, 0.8], "centre_mm": [2, )" + aside_mm +
+                    R"(, 1], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 20}})");
 }
 
 TEST(DrillLoader, VesselsMayLieSideBySideAndInALumen) {
     EXPECT_EQ(parse_drill(beside_carotid("4.1"), "a", "").world.vessels.size(), 2u);
-    const std::string within = with(R"("length_mm": 30}})", R"("length_mm": 30}}, {"name": "graft", "tube": {"diameter_mm": 2.7, "wall_mm": 0.3, "length_mm": 20}})");
+    const std::string within =
+        with(R"("length_mm": 30}})",
+             R"("length_mm": 30}}, {"name": "graft", "tube": {"diameter_mm": 2.7, "wall_mm": 0.3, "length_mm": 20}})");
     EXPECT_EQ(parse_drill(within, "a", "").world.vessels.size(), 2u);
 }
 
 // Of links that it does not name a short thread has no more than it has room for.
 TEST(DrillLoader, AShortThreadHasFewerLinks) {
-    const auto links = [](const std::string& length_mm) { return parse_drill(with("150", length_mm), "a", "").world.thread.links; };
+    const auto links = [](const std::string& length_mm) {
+        return parse_drill(with("150", length_mm), "a", "").world.thread.links;
+    };
     EXPECT_EQ(links("150"), 300);
     EXPECT_EQ(links("20"), 117);  // of 0.17 mm each
     EXPECT_EQ(links("5"), 29);
@@ -98,8 +107,10 @@ TEST(DrillLoader, AShortThreadHasFewerLinks) {
 // Another thread beside the one of needle(), so far along y from it.
 std::string spare(const std::string& away_mm, const std::string& with_needle = needle("[0, 0, 1]", "[0, -1, 0]")) {
     std::string text = with_needle;
-    return text.replace(text.find("\"length_mm\""), 11, R"("spares": [{"needle": {"tail_mm": [0, )" + away_mm + R"(, 9], "towards": [0, 0, 1], "bulge": [0, -1, 0]}, "start_mm": [[100, )" + away_mm +
-        R"(, 9], [400, )" + away_mm + R"(, 9]]}], "length_mm")");
+    return text.replace(text.find("\"length_mm\""), 11,
+                        R"("spares": [{"needle": {"tail_mm": [0, )" + away_mm +
+                            R"(, 9], "towards": [0, 0, 1], "bulge": [0, -1, 0]}, "start_mm": [[100, )" + away_mm +
+                            R"(, 9], [400, )" + away_mm + R"(, 9]]}], "length_mm")");
 }
 
 TEST(DrillLoader, ReadsSpares) {
@@ -128,7 +139,8 @@ TEST(DrillLoader, ReadsEffectsOfAnElasticThread) {
     feels.replace(feels.find("\"forceps\""), 9, "\"forceps\", \"pull_N\": 1.2");
     EXPECT_EQ(parse_drill(feels, "a", "").world.instruments[0].pull, 1.2);
     EXPECT_EQ(parse_drill(feels, "a", "").world.instruments[1].pull, std::numeric_limits<double>::infinity());
-    for (const char* effects : {"{\"gravity\": true, \"inertia\": false, \"plastic_set\": true}", "{\"extension\": false}"}) {
+    for (const char* effects :
+         {"{\"gravity\": true, \"inertia\": false, \"plastic_set\": true}", "{\"extension\": false}"}) {
         const Drill drill = parse_drill(elastic(effects), "a", "");
         EXPECT_EQ(parse_drill(drill.filled, "b", "").filled, drill.filled);
     }
@@ -153,7 +165,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\":", "\"wobbliness\":"),
          "a.json:7:5: error: /thread/wobbliness: unknown key, known are \"size\", \"material\", \"length_mm\", "
          "\"diameter_mm\", \"young_MPa\", "
-         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", \"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\", \"needle\", \"spares\""},
+         "\"density_kg_m3\", \"break_N\", \"friction\", \"friction_tool\", \"yield_percent\", \"links\", "
+         "\"shortest_link_mm\", \"contacts_per_tick\", \"model\", \"start_mm\", \"needle\", \"spares\""},
         {with("\"friction\": 0.2", "\"links\": 1e9"),
          "a.json:7:14: error: /thread/links: expected 2 to 5000, found 1e+09"},
         {with("\"friction\": 0.2", "\"links\": 1000000000"),
@@ -163,7 +176,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {with("\"friction\": 0.2", "\"links\": 3000"),
          "a.json:7:14: error: /thread/links: links would be shorter than the thread is thick, expected at most 1764"},
         {with("\"friction\": 0.2", "\"shortest_link_mm\": 0.01"),
-         "a.json:7:25: error: /thread/shortest_link_mm: links would be shorter than the thread is thick, expected 0 or at least 0.085"},
+         "a.json:7:25: error: /thread/shortest_link_mm: links would be shorter than the thread is thick, expected 0 or "
+         "at least 0.085"},
         {with("150", "0.15"), "a.json:6:18: error: /thread/length_mm: expected 5 to 1000 mm, found 0.15"},
         {with("150", "\"150 mm\""), "a.json:6:18: error: /thread/length_mm: expected a number, found \"150 mm\""},
         {with("150", "null"), "a.json:6:18: error: /thread/length_mm: expected a number, found null"},
@@ -176,58 +190,98 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:5:13: error: /thread/size: expected \"3-0\", \"4-0\", \"5-0\", \"6-0\", \"7-0\", \"8-0\", \"9-0\" or "
          "\"10-0\", found \"60\""},
         {with("\"gravity\": false", "\"gravity\": true"),
-         "a.json:16:26: error: /effects/gravity: a thread moved by ftl has none, expected false, or \"model\": \"elastic\" in the thread"},
+         "a.json:16:26: error: /effects/gravity: a thread moved by ftl has none, expected false, or \"model\": "
+         "\"elastic\" in the thread"},
         {with("\"friction\": 0.2", "\"contacts_per_tick\": 50"),
-         "a.json:7:26: error: /thread/contacts_per_tick: a thread moved by ftl leaves nothing to the next tick, expected 0, or \"model\": \"elastic\" in the thread"},
+         "a.json:7:26: error: /thread/contacts_per_tick: a thread moved by ftl leaves nothing to the next tick, "
+         "expected 0, or \"model\": \"elastic\" in the thread"},
         {with("\"kind\": \"forceps\"", "\"kind\": \"forceps\", \"pull_N\": 1"),
-         "a.json:13:51: error: /instruments/0/pull_N: a thread moved by ftl has no forces to feel, expected none, or \"model\": \"elastic\" in the thread"},
+         "a.json:13:51: error: /instruments/0/pull_N: a thread moved by ftl has no forces to feel, expected none, or "
+         "\"model\": \"elastic\" in the thread"},
         {with("\"gravity\": false", "\"twist\": true"),
          "a.json:16:24: error: /effects/twist: this version cannot simulate more, expected false, found true"},
         {elastic("{\"bending\": false}"),
-         "a.json:16:26: error: /effects/bending: an elastic thread bends, expected true, or \"model\": \"ftl\" in the thread"},
+         "a.json:16:26: error: /effects/bending: an elastic thread bends, expected true, or \"model\": \"ftl\" in the "
+         "thread"},
         {elastic("{\"plastic_set\": true}", ", \"material\": \"silk\""),
-         "a.json:16:30: error: /effects/plastic_set: nothing is known of when silk yields, expected false, or \"yield_percent\" in the thread"},
+         "a.json:16:30: error: /effects/plastic_set: nothing is known of when silk yields, expected false, or "
+         "\"yield_percent\" in the thread"},
         {with("\"gravity\": false", "\"tissue\": \"jelly\""),
          "a.json:16:25: error: /effects/tissue: expected \"rigid\" or \"elastic\", found \"jelly\""},
-        {with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 1, 0]})"),
-         "a.json:7:15: error: /thread/needle: a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in effects, or no vessels"},
-        {needle("[0, 0, -1]", "[0, 1, 0]"), "a.json:7:43: error: /thread/needle/tail_mm: from here the needle is in the wall of \"carotid\", expected to start clear of it"},
-        {needle("[0, 0, 1]", "[0, 1e-300, 0]"), "a.json:7:85: error: /thread/needle/bulge: has no direction, expected one component other than 0"},
-        {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"6-0\"", "\"3-0\""), "a.json:7:24: error: /thread/needle/code: its wire of 0.2 mm makes no hole for a thread of 0.225 mm, expected a thicker needle or a thinner thread"},
-        {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"length_mm\": 30", "\"length_mm\": 3, \"cut_angle_deg\": 60"), "a.json:10:81: error: /vessels/0/tube/length_mm: too short for a slanted cut, expected above 3.42 mm"},
-        {beside_carotid("3.9"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
-        {beside_carotid("0.5"), "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of each other"},
-        {replaced(sample::sewn("\"gap_mm\": {\"max\": 1}"), ", \"held\": [\"start\"]", ""), "a.json:10:5: error: /vessels/0: both ends are held, so that there is no cut to measure bites and join from, expected one end in \"held\""},
-        {needle("[0, 0, 0]", "[0, 0, 1]"), "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
+        {with("\"friction\": 0.2",
+              R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, 1, 0]})"),
+         "a.json:7:15: error: /thread/needle: a rigid vessel lets no needle in, expected \"tissue\": \"elastic\" in "
+         "effects, or no vessels"},
+        {needle("[0, 0, -1]", "[0, 1, 0]"),
+         "a.json:7:43: error: /thread/needle/tail_mm: from here the needle is in the wall of \"carotid\", expected to "
+         "start clear of it"},
+        {needle("[0, 0, 1]", "[0, 1e-300, 0]"),
+         "a.json:7:85: error: /thread/needle/bulge: has no direction, expected one component other than 0"},
+        {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"6-0\"", "\"3-0\""),
+         "a.json:7:24: error: /thread/needle/code: its wire of 0.2 mm makes no hole for a thread of 0.225 mm, expected "
+         "a thicker needle or a thinner thread"},
+        {replaced(needle("[0, 0, 1]", "[0, 1, 0]"), "\"length_mm\": 30", "\"length_mm\": 3, \"cut_angle_deg\": 60"),
+         "a.json:10:81: error: /vessels/0/tube/length_mm: too short for a slanted cut, expected above 3.42 mm"},
+        {beside_carotid("3.9"),
+         "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of "
+         "each other"},
+        {beside_carotid("0.5"),
+         "a.json:10:140: error: /vessels/1/centre_mm: its wall is in that of \"carotid\", expected the two clear of "
+         "each other"},
+        {replaced(sample::sewn("\"gap_mm\": {\"max\": 1}"), ", \"held\": [\"start\"]", ""),
+         "a.json:10:5: error: /vessels/0: both ends are held, so that there is no cut to measure bites and join from, "
+         "expected one end in \"held\""},
+        {needle("[0, 0, 0]", "[0, 0, 1]"),
+         "a.json:7:65: error: /thread/needle/towards: has no direction, expected one component other than 0"},
         {spare("60", with("\"friction\": 0.2", "\"links\": 300")),
-         "a.json:6:15: error: /thread/spares: they would have needles like the first thread, which has none, expected \"needle\" beside them"},
-        {spare("0"), "a.json:6:106: error: /thread/spares/0/start_mm: from here to the next corner it touches a thread before it, expected them a diameter apart"},
-        {needle("[0, 0, 1]", "[0, 0, -2]"), "a.json:7:85: error: /thread/needle/bulge: is along \"towards\", expected a direction across it"},
+         "a.json:6:15: error: /thread/spares: they would have needles like the first thread, which has none, expected "
+         "\"needle\" beside them"},
+        {spare("0"),
+         "a.json:6:106: error: /thread/spares/0/start_mm: from here to the next corner it touches a thread before it, "
+         "expected them a diameter apart"},
+        {needle("[0, 0, 1]", "[0, 0, -2]"),
+         "a.json:7:85: error: /thread/needle/bulge: is along \"towards\", expected a direction across it"},
         {with("\"friction\": 0.2", "\"model\": \"rubber\""),
          "a.json:7:14: error: /thread/model: expected \"ftl\" or \"elastic\", found \"rubber\""},
         {with("\"around\": \"carotid\"", "\"around\": \"aorta\""),
          "a.json:17:41: error: /goals/0/around: no vessel is named \"aorta\", expected \"carotid\""},
-        {with("\"throws\": 2", "\"times\": 2"), "a.json:17:41: error: /goals/0/around: knots in several threads are not looked for round a vessel, expected no such key"},
-        {with("\"square\", \"around\": \"carotid\", \"throws\": 2", "\"cow hitch\", \"times\": 2"), "a.json:17:43: error: /goals/0/times: hitches are looked for in one thread, expected a knot"},
+        {with("\"throws\": 2", "\"times\": 2"),
+         "a.json:17:41: error: /goals/0/around: knots in several threads are not looked for round a vessel, expected "
+         "no such key"},
+        {with("\"square\", \"around\": \"carotid\", \"throws\": 2", "\"cow hitch\", \"times\": 2"),
+         "a.json:17:43: error: /goals/0/times: hitches are looked for in one thread, expected a knot"},
         {with("\"throws\": 2", "\"throws\": \"2-1\""),
          "a.json:17:62: error: /goals/0/throws: expected turns of each throw joined by '=' (reversed) or 'x' (same "
          "way), such as \"2=1\", found \"2-1\""},
         {with("[3, 8]", "[8, 3]"), "a.json:17:77: error: /goals/0/tails_mm: expected [low, high], found 8 above 3"},
         {with("{\"left\": {", "{\"lefty\": {"),
          "a.json:18:25: error: /bands/path_mm/lefty: no instrument has this name, expected \"left\" or \"right\""},
-        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": 1"), "a.json:18:61: error: /bands/tension_N: expected [low, high] or {\"max\": high}, found 1"},
-        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": {\"min\": 0.1, \"max\": 1}"), "a.json:18:62: error: /bands/tension_N/min: unknown key, known are \"max\"; expected [low, high] or {\"max\": high}"},
-        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": [1]"), "a.json:18:61: error: /bands/tension_N: expected [low, high] or {\"max\": high}, found a list of 1"},
-        {with("\"tension_N\": [0.1, 1]", "\"time_s\": [130, 150]"), "a.json:18:58: error: /bands/time_s: the drill ends before, at time_limit_s, which is 120 s"},
-        {sample::sewn("\"bites\": [1.5, 2]"), "a.json:18:23: error: /bands/bites/0: expected a whole number, found 1.5"},
-        {with("{\"gravity\": false}", "{\"tear\": true}"), "a.json:16:23: error: /effects/tear: rigid walls neither tear nor leak, expected false, or vessels and \"tissue\": \"elastic\""},
-        {with("{\"gravity\": false}", "{\"tissue\": \"elastic\", \"leak\": false}"), "a.json:16:44: error: /effects/leak: walls that give way tear and leak, expected true or no such key"},
-        {with("\"tension_N\"", "\"bites\": [2, 2], \"tension_N\""), "a.json:18:57: error: /bands/bites: the thread has no needle: give it one (\"needle\"), or leave this out"},
-        {sample::sewn("\"bite_mm\": [1, 2]"), "a.json:18:24: error: /bands/bite_mm: expected \"bites\" as well, how many there must be"},
-        {replaced(needle("[0, 0, 1]", "[0, -1, 0]"), "\"tension_N\"", "\"gap_mm\": {\"max\": 1}, \"tension_N\""), "a.json:18:58: error: /bands/gap_mm: a join is of two vessels sewn by a needle, expected both"},
+        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": 1"),
+         "a.json:18:61: error: /bands/tension_N: expected [low, high] or {\"max\": high}, found 1"},
+        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": {\"min\": 0.1, \"max\": 1}"),
+         "a.json:18:62: error: /bands/tension_N/min: unknown key, known are \"max\"; expected [low, high] or {\"max\": "
+         "high}"},
+        {with("\"tension_N\": [0.1, 1]", "\"tension_N\": [1]"),
+         "a.json:18:61: error: /bands/tension_N: expected [low, high] or {\"max\": high}, found a list of 1"},
+        {with("\"tension_N\": [0.1, 1]", "\"time_s\": [130, 150]"),
+         "a.json:18:58: error: /bands/time_s: the drill ends before, at time_limit_s, which is 120 s"},
+        {sample::sewn("\"bites\": [1.5, 2]"),
+         "a.json:18:23: error: /bands/bites/0: expected a whole number, found 1.5"},
+        {with("{\"gravity\": false}", "{\"tear\": true}"),
+         "a.json:16:23: error: /effects/tear: rigid walls neither tear nor leak, expected false, or vessels and "
+         "\"tissue\": \"elastic\""},
+        {with("{\"gravity\": false}", "{\"tissue\": \"elastic\", \"leak\": false}"),
+         "a.json:16:44: error: /effects/leak: walls that give way tear and leak, expected true or no such key"},
+        {with("\"tension_N\"", "\"bites\": [2, 2], \"tension_N\""),
+         "a.json:18:57: error: /bands/bites: the thread has no needle: give it one (\"needle\"), or leave this out"},
+        {sample::sewn("\"bite_mm\": [1, 2]"),
+         "a.json:18:24: error: /bands/bite_mm: expected \"bites\" as well, how many there must be"},
+        {replaced(needle("[0, 0, 1]", "[0, -1, 0]"), "\"tension_N\"", "\"gap_mm\": {\"max\": 1}, \"tension_N\""),
+         "a.json:18:58: error: /bands/gap_mm: a join is of two vessels sewn by a needle, expected both"},
         {with("\"right\"", "\"left\""),
          "a.json:14:14: error: /instruments/1/name: \"left\" is named twice, expected different names"},
-        {with("\"carotid\"", "\"left\""), "a.json:10:14: error: /vessels/0/name: \"left\" is named twice, expected different names"},
+        {with("\"carotid\"", "\"left\""),
+         "a.json:10:14: error: /vessels/0/name: \"left\" is named twice, expected different names"},
         {with("\"wall_mm\": 0.6", "\"wall_mm\": 2"),
          "a.json:10:63: error: /vessels/0/tube/wall_mm: expected less than half of diameter_mm, which is 4 mm"},
         {with("\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}", "\"axis\": [1, 0, 0]"),
@@ -243,12 +297,17 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "corner 0, expected them a "
          "diameter apart"},
         {with("\"friction\": 0.2", "\"start_mm\": [[0, 0, 9], [0, 100, 9], [1, 20, 9]]"),
-         "a.json:7:29: error: /thread/start_mm/1: the thread folds back onto itself here, expected a bend with room for it"},
+         "a.json:7:29: error: /thread/start_mm/1: the thread folds back onto itself here, expected a bend with room "
+         "for it"},
         {with("\"friction\": 0.2", "\"links\": 4, \"start_mm\": [[0, -65, 0], [20, 0, 0], [0, 65, 0], [0, 80, 0]]"),
-         "a.json:7:29: error: /thread/start_mm: of 4 links number 1 cuts a corner through the vessel \"carotid\", expected more links, or a wider bend"},
-        {with("\"friction\": 0.2", "\"links\": 4, \"start_mm\": [[0, 0, 9], [40, 0, 9], [40, 30, 9], [20, 30, 9], [20, 2, 9], [20, 2, 10], [20, -2, 10], "
-                                  "[20, -2, 9], [20, -40, 9]]"),
-         "a.json:7:29: error: /thread/start_mm: of 4 links number 3 cuts a corner through link 0, expected more links, or a wider bend"},
+         "a.json:7:29: error: /thread/start_mm: of 4 links number 1 cuts a corner through the vessel \"carotid\", "
+         "expected more links, or a wider bend"},
+        {with("\"friction\": 0.2",
+              "\"links\": 4, \"start_mm\": [[0, 0, 9], [40, 0, 9], [40, 30, 9], [20, 30, 9], [20, 2, 9], [20, 2, 10], "
+              "[20, -2, 10], "
+              "[20, -2, 9], [20, -40, 9]]"),
+         "a.json:7:29: error: /thread/start_mm: of 4 links number 3 cuts a corner through link 0, expected more links, "
+         "or a wider bend"},
         {with("\"carrel_drill\": 1", "\"carrel_drill\": 2"), "a.json:2:19: error: /carrel_drill: expected 1, found 2"},
         {with("  \"time_limit_s\": 120\n", "  \"time_limit_s\": 120,\n"),
          "a.json:20:1: error: not valid JSON: unexpected '}'; expected string literal"},
@@ -283,8 +342,9 @@ TEST(DrillLoader, PlacesSurviveUnusualText) {
 // Each committed drill must load, or the first thing a newcomer runs fails.
 TEST(DrillLoader, CommittedDrillsLoad) {
     // granny-knot asks for a square and ties a granny, to show a drill that fails
-    const std::pair<std::string, std::string> ties[] = {{"square-knot", "square"}, {"granny-knot", "square"}, {"surgeons-knot", "surgeons"},
-                                                        {"assisted-square-knot", "square"}, {"assisted-granny-knot", "granny"}, {"assisted-surgeons-knot", "surgeons"}};
+    const std::pair<std::string, std::string> ties[] = {
+        {"square-knot", "square"},          {"granny-knot", "square"},          {"surgeons-knot", "surgeons"},
+        {"assisted-square-knot", "square"}, {"assisted-granny-knot", "granny"}, {"assisted-surgeons-knot", "surgeons"}};
     for (const auto& [name, tie] : ties) {
         SCOPED_TRACE(name);
         const Drill drill = load_drill(std::string(CARREL_SOURCE) + "/scenarios/drills/" + name + ".json");

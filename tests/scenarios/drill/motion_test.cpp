@@ -58,7 +58,9 @@ TEST(Motion, SaysWhatADrillThatEndsEarlierLoses) {
     const Motion motion({{{0, {}}, {2.505, {}}}, {{1, {}}}});
     EXPECT_EQ(motion.cut_short_at(3.01), "");
     for (const auto& [limit, shown] : {std::pair(2.0, "2"), {2.51, "2.51"}})
-        EXPECT_EQ(motion.cut_short_at(limit), "/time_limit_s: " + std::string(shown) + " s end the drill before its motion, which takes 2.51 s and 0.5 s of rest");
+        EXPECT_EQ(motion.cut_short_at(limit),
+                  "/time_limit_s: " + std::string(shown) +
+                      " s end the drill before its motion, which takes 2.51 s and 0.5 s of rest");
 }
 
 TEST(Motion, HoldsItsEnds) {

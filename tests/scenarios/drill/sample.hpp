@@ -40,9 +40,15 @@ inline std::string with(const std::string& from, const std::string& to) {
 
 /// The drill with another vessel, a needle, walls that give way, and these bands.
 inline std::string sewn(const std::string& bands) {
-    std::string text = with("\"friction\": 0.2", R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, -1, 0]})");
-    const auto replace = [&](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
-    replace(R"("length_mm": 30}})", R"("length_mm": 30}, "held": ["start"]}, {"name": "graft", "held": ["end"], "centre_mm": [0, 6, 0], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 30}})");
+    std::string text =
+        with("\"friction\": 0.2",
+             R"("needle": {"code": "BV-1", "tail_mm": [0, 0, 9], "towards": [0, 0, 1], "bulge": [0, -1, 0]})");
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
+    replace(
+        R"("length_mm": 30}})",
+        R"("length_mm": 30}, "held": ["start"]}, {"name": "graft", "held": ["end"], "centre_mm": [0, 6, 0], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 30}})");
     replace("{\"gravity\": false}", "{\"tissue\": \"elastic\"}");
     replace("\"bands\": {", "\"bands\": {" + bands + ", ");
     return text;

@@ -109,7 +109,12 @@ TEST(DrillSchema, JudgesAsTheLoaderDoes) {
                                {"start_mm", {{0, 0, 9}, {0, 150, 9}}},
                                {"young_MPa", 100}});
     document["vessels"][0].update({{"held", {"start"}}, {"axis", {0, 1, 0}}});
-    document["effects"].update({{"gravity", true}, {"bending", true}, {"extension", false}, {"inertia", false}, {"plastic_set", true}, {"twist", false}});
+    document["effects"].update({{"gravity", true},
+                                {"bending", true},
+                                {"extension", false},
+                                {"inertia", false},
+                                {"plastic_set", true},
+                                {"twist", false}});
     document["bands"].update({{"time_s", {0, 60}}, {"grasps", {{"right", {1, 6}}}}});
     ASSERT_TRUE(accepts(schema, document));
     ASSERT_EQ(sample::message(document.dump()), "");
@@ -141,8 +146,8 @@ TEST(DrillSchema, JudgesAsTheLoaderDoes) {
     const auto relation = [](const std::string& message) {
         for (const char* words :
              {"no vessel is named", "no instrument has", "named twice", "above", "less than half", "has no direction",
-              "needs a vessel", "has no throws", " for \"", "shorter than", "the path is", "from here to", "corner before it",
-              "moved by ftl", "an elastic thread bends", "nothing is known of"})
+              "needs a vessel", "has no throws", " for \"", "shorter than", "the path is", "from here to",
+              "corner before it", "moved by ftl", "an elastic thread bends", "nothing is known of"})
             if (message.find(words) != std::string::npos) return true;
         return false;
     };

@@ -221,14 +221,17 @@ TEST(Score, TheTimeLimitThatEndsADrillIsMissed) {
 // "Yes" alone leaves an assessor to guess how far beyond the limit it was.
 TEST(Score, ALapseTellsItsNumber) {
     world::Measures m = good();
-    m.join.lapses = {{"tear", "hole, in diameters of the thread", 3.518, 2, false, true}, {"overlap", "overlap, in walls", 0.4, 1}, {"unequal spacing", "shortest, in means", 0.8, 0.6, true}};
+    m.join.lapses = {{"tear", "hole, in diameters of the thread", 3.518, 2, false, true},
+                     {"overlap", "overlap, in walls", 0.4, 1},
+                     {"unequal spacing", "shortest, in means", 0.8, 0.6, true}};
     EXPECT_EQ(item("lapse: tear", m).why, "hole, in diameters of the thread: 3.52; at most 2.00.");
     EXPECT_EQ(item("lapse: unequal spacing", m).why, "shortest, in means: 0.80; at least 0.60.");
     EXPECT_EQ(item("lapse: overlap", m).value, "no");
     EXPECT_EQ(item("lapse: overlap", m).why, "overlap, in walls: 0.40; at most 1.00.") << "how near it came";
 }
 
-// A suture with a stitch left out passed: nothing asked for it. What runs along in the wall or was torn out does not count.
+// A suture with a stitch left out passed: nothing asked for it. What runs along in the wall or was torn out does not
+// count.
 TEST(Score, BitesThatHoldAreCounted) {
     const std::string text = sample::sewn("\"bites\": [2, 2]");
     world::Measures m = good();
@@ -273,7 +276,8 @@ TEST(Score, EachBiteIsJudgedBySizeAndAngle) {
     const std::string text = sample::sewn(R"("bites": [2, 2], "bite_mm": [1, 1.5], "bite_deg": [60, 90])");
     world::Measures m = good();
     m.bites = {{"carotid", "outer", "inner", 1.2, 0.5, 80}, {"graft", "inner", "outer", 1.2, 0.5, 80}};
-    for (const char* name : {"bite_size_1", "bite_size_2", "bite_angle_1", "bite_angle_2"}) EXPECT_TRUE(item(name, m, text).passed) << name;
+    for (const char* name : {"bite_size_1", "bite_size_2", "bite_angle_1", "bite_angle_2"})
+        EXPECT_TRUE(item(name, m, text).passed) << name;
     m.bites[0].size_mm = 0.8, m.bites[1].size_mm = 1.6, m.bites[1].to_wall_deg = 40;
     EXPECT_TRUE(item("bite_size_1", m, text).why.starts_with("The bite is nearer to the cut"));
     EXPECT_TRUE(item("bite_size_2", m, text).why.starts_with("The bite is wider"));
@@ -298,7 +302,8 @@ TEST(Score, TheNeedleIsJudgedByHowItIsHeld) {
 
 // What is never joined must not pass for a join without a gap.
 TEST(Score, AJoinIsJudgedWhereOneIsAskedFor) {
-    const std::string text = sample::sewn(R"("gap_mm": {"max": 0.2}, "lumen": [0.8, 1.2], "leak_mL_min": {"max": 100}, "lapses": {"max": 1})");
+    const std::string text = sample::sewn(
+        R"("gap_mm": {"max": 0.2}, "lumen": [0.8, 1.2], "leak_mL_min": {"max": 100}, "lapses": {"max": 1})");
     world::Measures m = good();
     EXPECT_FALSE(item("join", m, text).passed);
     m.join = {0.1, 0.9, 80, {{"tear", "hole", 3, 2, false, true}, {"overlap", "overlap, in walls", 0.4, 1}}};
@@ -317,7 +322,9 @@ TEST(Score, AJoinIsToldToBeMeasuredInClamps) {
     world::Measures m = good();
     m.join = {0.1, 0.9, 80, {{"tear", "hole", 3, 2, false, false}}};
     EXPECT_EQ(item("gap", m, text).why, "");
-    const auto replace = [&](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
     replace(R"("held": ["end"])", R"("held": ["end"], "held_by": "clamps")");
     replace(R"("kind": "needle_holder"})", R"("kind": "needle_holder"}, {"name": "clamps", "kind": "approximator"})");
     m.path_mm.push_back(0), m.grasps.push_back(0), m.lag_max_mm.push_back({0, 0});

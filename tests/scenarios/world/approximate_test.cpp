@@ -44,7 +44,8 @@ void play(World& world, const ToolInput& tool, int ticks) {
     for (int t = 0; t < ticks; ++t) world.tick({&tool, 1});
 }
 
-constexpr double step = 1e-5;  // [m] that a screw goes in a tick: where a vessel of two is at most a tick behind its clamp
+constexpr double step =
+    1e-5;  // [m] that a screw goes in a tick: where a vessel of two is at most a tick behind its clamp
 
 // Closed it brings both ends together by as much, at no more than its screw's speed however it is asked.
 TEST(Approximator, BringsEndsTogetherByItsScrew) {

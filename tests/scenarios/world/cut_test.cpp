@@ -24,8 +24,9 @@ struct Scene {
     std::vector<ToolInput> tools;
 
     explicit Scene(const std::string& model) {
-        for (const auto& [name, kind, x] : {std::tuple("left", Kind::needle_holder, -12e-3), std::tuple("right", Kind::needle_holder, 12e-3),
-                                            std::tuple("blades", Kind::scissors, 1.1e-3)}) {
+        for (const auto& [name, kind, x] :
+             {std::tuple("left", Kind::needle_holder, -12e-3), std::tuple("right", Kind::needle_holder, 12e-3),
+              std::tuple("blades", Kind::scissors, 1.1e-3)}) {
             def.instruments.push_back({name, kind});
             tools.push_back({{Vec3(x, 0, -2e-3), down()}, 1.0});
         }
@@ -52,7 +53,8 @@ struct Scene {
         for (int i = 0; i <= 60; ++i) {
             constexpr double end = 2.4;
             const double t = end * (i / 30.0 - 1), tt = t * t, ending = (1 - tt / (end * end)) * (1 - tt / (end * end));
-            path.push_back(Vec3(x, 0, 0) + scale * Vec3(0.1 * t * (tt * tt - 10), 0.8 * ending * t * (tt - 3), 0.5 * ending * tt * (tt - 4)));
+            path.push_back(Vec3(x, 0, 0) + scale * Vec3(0.1 * t * (tt * tt - 10), 0.8 * ending * t * (tt - 3),
+                                                        0.5 * ending * tt * (tt - 4)));
         }
         path.emplace_back(half, 0, 0);
         def.thread.length = 0;
@@ -68,7 +70,8 @@ struct Play {
         const std::vector<Vec3> before(world.thread().begin(), world.thread().end());
         world.tick(scene.tools);
         if (before.size() != world.thread().size()) return;
-        for (std::size_t i = 0; i < before.size(); ++i) fastest = std::max(fastest, (world.thread()[i] - before[i]).norm() / scene.def.tick_s);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            fastest = std::max(fastest, (world.thread()[i] - before[i]).norm() / scene.def.tick_s);
     }
     void close(std::initializer_list<std::size_t> which, int ticks = 100) {
         for (int i = 1; i <= ticks; ++i) {
@@ -81,7 +84,8 @@ struct Play {
     }
     std::vector<Event> events(const std::string& kind) const {
         std::vector<Event> found;
-        std::copy_if(world.events().begin(), world.events().end(), std::back_inserter(found), [&](const Event& event) { return event.kind == kind; });
+        std::copy_if(world.events().begin(), world.events().end(), std::back_inserter(found),
+                     [&](const Event& event) { return event.kind == kind; });
         return found;
     }
     bool is_finite() const {
@@ -103,9 +107,8 @@ Scene scene_that_breaks_at_1_N(const char* model) {
     return scene;
 }
 
-
-// A pull past what the thread bears: it parts in one place, at that pull and not before, and nothing pulls or whips after it. By geometry
-// alone a pull is an estimate, and must stand for a tenth of a second.
+// A pull past what the thread bears: it parts in one place, at that pull and not before, and nothing pulls or whips
+// after it. By geometry alone a pull is an estimate, and must stand for a tenth of a second.
 TEST(Break, OnceAtTheForceThatTheThreadBears) {
     for (const char* model : {"ftl", "elastic"}) {
         SCOPED_TRACE(model);
@@ -208,7 +211,8 @@ TEST(Break, AtTheKnot) {
     for (int i = 0; i < 300; ++i) play.move(1, Vec3(5e-6, 0, 0), 1);
     EXPECT_EQ(play.world.measures().pass_throughs, 0u);
     EXPECT_TRUE(play.is_finite());
-    RecordProperty("place", std::to_string(place) + " knot from " + std::to_string(tails[0]) + " to " + std::to_string(whole - tails[1]));
+    RecordProperty("place", std::to_string(place) + " knot from " + std::to_string(tails[0]) + " to " +
+                                std::to_string(whole - tails[1]));
 }
 
 // Blades close on a thread that two others hold: two pieces, each half a thickness short of where the blades met it.
@@ -253,7 +257,8 @@ TEST(Scissors, BesideJawsThatGoOnHolding) {
         int now = 0;
         for (const auto& grasp : grasps) {
             now += grasp.count;
-            for (int k = grasp.first; k + 1 < grasp.first + grasp.count; ++k) EXPECT_FALSE(play.world.thread_state().is_cut(k));
+            for (int k = grasp.first; k + 1 < grasp.first + grasp.count; ++k)
+                EXPECT_FALSE(play.world.thread_state().is_cut(k));
         }
         EXPECT_GE(now, held);
         const double x = play.world.thread().back().x();

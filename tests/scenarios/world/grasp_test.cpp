@@ -76,8 +76,8 @@ TEST(Grasp, ClosingJawsHoldTheStrandBetweenThem) {
         }
 }
 
-// A hand snaps at a strand as it goes by, at 0.4 m/s: what the jaws take must go along with them from the first tick, or one
-// jaw runs over the strand that it holds.
+// A hand snaps at a strand as it goes by, at 0.4 m/s: what the jaws take must go along with them from the first tick,
+// or one jaw runs over the strand that it holds.
 TEST(Grasp, JawsThatCloseAsTheyGoByTakeTheStrandAlong) {
     int taken = 0;
     for (unsigned seed = 1; seed <= 60; ++seed)
@@ -133,13 +133,17 @@ TEST(Tools, SayWhatHoldsThemUp) {
             world.tick(scene.tools);
         }
     };
-    const auto told = [&] { return std::count_if(world.events().begin(), world.events().end(), [](const auto& event) { return event.kind == "held_up"; }); };
+    const auto told = [&] {
+        return std::count_if(world.events().begin(), world.events().end(),
+                             [](const auto& event) { return event.kind == "held_up"; });
+    };
     lead(8);
     EXPECT_EQ(told(), 0);
     lead(20);
     ASSERT_EQ(told(), 1);
     EXPECT_EQ(world.events().back().what, "left by right");
-    EXPECT_NEAR(world.events().back().value, 2e3 * world.tools()[0].shape.jaw_radius, 0.06);  // a tick's way of the hand
+    EXPECT_NEAR(world.events().back().value, 2e3 * world.tools()[0].shape.jaw_radius,
+                0.06);  // a tick's way of the hand
     lead(0);
     lead(20);
     EXPECT_EQ(told(), 2);
@@ -153,7 +157,9 @@ TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
         for (auto& tool : scene.tools) tool.jaw = std::max(0.0, tool.jaw - 4e-3);
         world.tick(scene.tools);
     }
-    ASSERT_EQ(std::count_if(world.events().begin(), world.events().end(), [](const auto& event) { return event.kind == "grasp"; }), 2);
+    ASSERT_EQ(std::count_if(world.events().begin(), world.events().end(),
+                            [](const auto& event) { return event.kind == "grasp"; }),
+              2);
     double behind = 0;
     for (int t = 0; t < 300; ++t) {
         scene.tools[1].pose.position.x() += 20e-6;
@@ -161,10 +167,14 @@ TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
         behind = std::max(behind, world.tools()[1].lag());
     }
     ASSERT_GT(behind, 4 * world.tools()[1].shape.jaw_radius);
-    EXPECT_EQ(std::count_if(world.events().begin(), world.events().end(), [](const auto& event) { return event.kind == "held_up" && event.what == "right by the thread"; }), 1);
+    EXPECT_EQ(
+        std::count_if(world.events().begin(), world.events().end(),
+                      [](const auto& event) { return event.kind == "held_up" && event.what == "right by the thread"; }),
+        1);
 }
 
-// Strands that cross between closing jaws lie on one another there: jaws that shut all the way would press them through each other.
+// Strands that cross between closing jaws lie on one another there: jaws that shut all the way would press them through
+// each other.
 TEST(Grasp, JawsStopOnStrandsThatCross) {
     for (const bool elastic : {false, true}) {
         TwoTools scene;
@@ -173,7 +183,7 @@ TEST(Grasp, JawsStopOnStrandsThatCross) {
         scene.def.thread.length = 60e-3;
         scene.def.thread.links = 200;
         scene.def.thread.start = {Vec3(-20e-3, -0.4e-3, -3e-3), Vec3(-4e-3, -0.4e-3, 3e-3), Vec3(0, -0.4e-3, 4e-3),
-                                  Vec3(0, 0.4e-3, -4e-3), Vec3(-4e-3, 0.4e-3, -3e-3), Vec3(-20e-3, 0.4e-3, 3e-3)};
+                                  Vec3(0, 0.4e-3, -4e-3),       Vec3(-4e-3, 0.4e-3, -3e-3), Vec3(-20e-3, 0.4e-3, 3e-3)};
         World world(scene.def, {}, {scene.tools.data(), 1});
         for (int tick = 1; tick <= 500; ++tick) {
             scene.tools[0].jaw = std::max(0.0, 1 - 0.0025 * tick);
@@ -188,11 +198,12 @@ TEST(Grasp, JawsStopOnStrandsThatCross) {
     }
 }
 
-// A hand has pulled 10 mm past what the thread gives; the other lets go. The tool that waited must not leap after its hand
-// and whip the thread, and must be there within the time that a hand's speed of 0.1 m/s takes.
+// A hand has pulled 10 mm past what the thread gives; the other lets go. The tool that waited must not leap after its
+// hand and whip the thread, and must be there within the time that a hand's speed of 0.1 m/s takes.
 TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
     TwoTools scene;
-    scene.def.thread.break_force = 2 * instruments::shape_of(instruments::Kind::needle_holder).grip_force;  // it must not part
+    scene.def.thread.break_force =
+        2 * instruments::shape_of(instruments::Kind::needle_holder).grip_force;  // it must not part
     World world(scene.def, {}, scene.tools);
     auto& right = scene.tools[1];
     const auto tick = [&] { world.tick(scene.tools); };
@@ -220,8 +231,8 @@ TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
-// A tool that comes up against the other goes no farther, however far its hand goes. It holds no thread: to score that as a
-// pull on one would teach a fault nobody made.
+// A tool that comes up against the other goes no farther, however far its hand goes. It holds no thread: to score that
+// as a pull on one would teach a fault nobody made.
 TEST(Grasp, AToolThatHoldsNothingPullsNothing) {
     TwoTools scene;
     World world(scene.def, {}, scene.tools);
@@ -234,8 +245,8 @@ TEST(Grasp, AToolThatHoldsNothingPullsNothing) {
     EXPECT_EQ(world.measures().lag_max_mm[1].value, 0);
 }
 
-// An elastic thread has hardly any lag: what the jaws bear shows in the link outside them. Forceps that let a thread slide too soon drop
-// it while a knot is laid, those that never do pull it until it breaks.
+// An elastic thread has hardly any lag: what the jaws bear shows in the link outside them. Forceps that let a thread
+// slide too soon drop it while a knot is laid, those that never do pull it until it breaks.
 TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
     TwoTools scene;
     scene.def.instruments[1].kind = instruments::Kind::forceps;
@@ -248,7 +259,7 @@ TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
         tick();
     }
     ASSERT_EQ(world.tools()[1].grasps.size(), 1u);
-    const double grip = world.tools()[1].shape.grip_force, speed = 10e-6;  // [m] a tick
+    const double grip = world.tools()[1].shape.grip_force, speed = 10e-6;     // [m] a tick
     const auto tension = [&] { return world.thread_state().tension()[50]; };  // midway
     const auto held = [&] { return world.tools()[1].grasps.at(0).first; };
     const int first = held();
@@ -258,7 +269,8 @@ TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
     EXPECT_EQ(held(), first);
     EXPECT_NEAR(tension(), 0.95 * grip, 0.02 * grip);
 
-    for (int i = 0; i < 100; ++i) right.pose.position.x() += speed, tick();  // what is left to the grip, and until the first link is through
+    for (int i = 0; i < 100; ++i)
+        right.pose.position.x() += speed, tick();  // what is left to the grip, and until the first link is through
     for (int i = 0; i < 200; ++i) {
         right.pose.position.x() += speed;
         tick();
@@ -268,8 +280,8 @@ TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
-// A hand that goes on pulls an elastic thread until it breaks. One that feels it stops at its pull, gives way where the other pulls harder, and is
-// where it would be when the pull is over.
+// A hand that goes on pulls an elastic thread until it breaks. One that feels it stops at its pull, gives way where the
+// other pulls harder, and is where it would be when the pull is over.
 TEST(Grasp, AToolThatPullsByFeelPullsNoHarderAndGivesWay) {
     TwoTools scene;
     scene.def.thread.model = "elastic";

@@ -12,7 +12,8 @@ using sim::geometry::Vec3;
 
 constexpr double mm = 1e-3;
 
-// A needle in the plane of x and z, tail to the right, its back up; two needle holders that come from +y and -y can close on it.
+// A needle in the plane of x and z, tail to the right, its back up; two needle holders that come from +y and -y can
+// close on it.
 struct Scene {
     scenarios::world::WorldDef def;
     std::array<ToolInput, 2> tools;
@@ -20,7 +21,8 @@ struct Scene {
     Scene() {
         def.instruments = {{"right", instruments::Kind::needle_holder}, {"left", instruments::Kind::forceps}};
         def.needle_code = "BV-1";
-        def.needle = {.to_tail = Vec3::UnitX(), .onwards = Vec3::UnitZ(), .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
+        def.needle = {
+            .to_tail = Vec3::UnitX(), .onwards = Vec3::UnitZ(), .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
         def.thread.length = 30 * mm;
         def.thread.links = 100;
         def.thread.start = {def.needle.tail(), def.needle.tail() - 30 * mm * def.needle.tangent(0)};
@@ -28,7 +30,8 @@ struct Scene {
         tools[1].pose = across(def.needle.at(7 * mm), def.needle.tangent(7 * mm), -1);
     }
 
-    // Jaws whose middle plane a wire at `at` along `along` crosses 1.5 mm behind their tips; the tool points along y or against it.
+    // Jaws whose middle plane a wire at `at` along `along` crosses 1.5 mm behind their tips; the tool points along y or
+    // against it.
     static instruments::Pose across(const Vec3& at, const Vec3& along, double way) {
         Eigen::Matrix3d axes;
         axes.col(2) = way * Vec3::UnitY();
@@ -38,10 +41,13 @@ struct Scene {
     }
 };
 
-double off(const Arc& a, const Arc& b) { return (a.tail() - b.tail()).norm() + (a.tip() - b.tip()).norm(); }
+double off(const Arc& a, const Arc& b) {
+    return (a.tail() - b.tail()).norm() + (a.tip() - b.tip()).norm();
+}
 
 std::size_t count(const World& world, const std::string& kind) {
-    return static_cast<std::size_t>(std::count_if(world.events().begin(), world.events().end(), [&](const auto& event) { return event.kind == kind; }));
+    return static_cast<std::size_t>(std::count_if(world.events().begin(), world.events().end(),
+                                                  [&](const auto& event) { return event.kind == kind; }));
 }
 
 TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
@@ -62,7 +68,8 @@ TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
         world.tick(scene.tools);
     }
     go(5);
-    EXPECT_LT((world.needle().tail() - scene.def.needle.tail() - Vec3(10 * mm, 0, 0)).norm(), 1e-12);  // a millionth of the thread, for rounding
+    EXPECT_LT((world.needle().tail() - scene.def.needle.tail() - Vec3(10 * mm, 0, 0)).norm(),
+              1e-12);  // a millionth of the thread, for rounding
     EXPECT_LT((world.thread()[0] - world.needle().tail()).norm(), 1e-3 * scene.def.thread.diameter);
     const Vec3 first = (world.thread()[0] - world.thread()[1]).normalized();
     EXPECT_GT(first.dot(world.needle().tangent(0)), 0.999) << "along the wire";
@@ -74,7 +81,8 @@ TEST(Needle, AStrandBetweenTheSameJawsIsHeldToo) {
     Scene scene;
     const Vec3 along = scene.def.needle.tangent(2 * mm), beside = scene.def.needle.at(2 * mm) - 1 * mm * Vec3::UnitY();
     scene.def.thread.model = "elastic";
-    scene.def.thread.start = {scene.def.needle.tail(), scene.def.needle.tail() - 6 * mm * scene.def.needle.tangent(0), beside - 8 * mm * along, beside + 8 * mm * along};
+    scene.def.thread.start = {scene.def.needle.tail(), scene.def.needle.tail() - 6 * mm * scene.def.needle.tangent(0),
+                              beside - 8 * mm * along, beside + 8 * mm * along};
     World world(scene.def, {}, scene.tools);
     for (int t = 0; t < 100; ++t) world.tick(scene.tools), scene.tools[0].jaw -= 0.01;
     EXPECT_EQ(count(world, "needle_grasp"), 1u);
@@ -104,7 +112,8 @@ TEST(Needle, TellsAtWhatAngleItIsHeld) {
     }
 }
 
-// Pushed tip first against a wall that it cannot pierce: once it is pushed harder than steel of its wire bears that far from the jaws.
+// Pushed tip first against a wall that it cannot pierce: once it is pushed harder than steel of its wire bears that far
+// from the jaws.
 TEST(Needle, BendsOnce) {
     Scene scene;
     const Vec3 on = scene.def.needle.tangent(scene.def.needle.length());
@@ -120,7 +129,8 @@ TEST(Needle, BendsOnce) {
     World world(scene.def, {}, scene.tools);
     const auto force = [&] { return world.vessels()[0].bites.force().norm(); };
     for (int t = 0; t < 5; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
-    const double arm = (scene.def.needle.tip() - scene.def.needle.at(2 * mm)).norm(), bears = instruments::yield_moment(0.1 * mm) / arm;
+    const double arm = (scene.def.needle.tip() - scene.def.needle.at(2 * mm)).norm(),
+                 bears = instruments::yield_moment(0.1 * mm) / arm;
     double before = 0;
     while (count(world, "needle_bent") == 0 && world.time_s() < 2) {
         before = force();
@@ -130,7 +140,7 @@ TEST(Needle, BendsOnce) {
     ASSERT_EQ(count(world, "needle_bent"), 1u);
     EXPECT_LE(before, bears);
     EXPECT_NEAR(world.events().back().value, bears, 0.05 * bears);  // what a step of 10 um adds to it
-    EXPECT_NEAR(bears, 1.414e-3 / 6.30e-3, 1e-3);                   // [N]: pi / 4 x 1.8 GPa x (0.1 mm)^3 over the chord of 7.3 mm
+    EXPECT_NEAR(bears, 1.414e-3 / 6.30e-3, 1e-3);  // [N]: pi / 4 x 1.8 GPa x (0.1 mm)^3 over the chord of 7.3 mm
     const Arc there = world.needle();
     for (int t = 0; t < 200; ++t) {
         scene.tools[0].pose.position += 10 * mm * 1e-3 * on;

@@ -54,7 +54,8 @@ double length(const World& world) {
     return sum;
 }
 
-// Places along the thread [m] where it comes within a radius of a hole's middle; what is nearer to each other than a millimetre is one strand.
+// Places along the thread [m] where it comes within a radius of a hole's middle; what is nearer to each other than a
+// millimetre is one strand.
 std::vector<double> strands_in(const World& world, int hole) {
     const auto& skin = world.vessels()[0].skin;
     std::vector<double> found;
@@ -75,17 +76,27 @@ std::vector<double> strands_in(const World& world, int hole) {
 
 class Passes : public testing::TestWithParam<const char*> {};
 
-// Down through one hole and up again beside itself. Each strand is drawn, one this way and one that, so that the loop below gets shorter.
+// Down through one hole and up again beside itself. Each strand is drawn, one this way and one that, so that the loop
+// below gets shorter.
 TEST_P(Passes, TwoStrandsGoThroughOneHole) {
     Scene scene(GetParam());
     const double x = -1.5 * mm, apart = 0.05 * mm, high = 2.9 * mm, deep = -1.2 * mm;
     scene.def.vessels[0].bitten = {{Vec3(x, 0, 2.5 * mm), Vec3(x, 0, 1 * mm)}};
-    scene.lay({{-14 * mm, -apart, high}, {x, -apart, high}, {x, -apart, deep}, {x, apart, deep}, {x, apart, high}, {12 * mm, apart, high}}, 0.1 * mm);
+    scene.lay({{-14 * mm, -apart, high},
+               {x, -apart, high},
+               {x, -apart, deep},
+               {x, apart, deep},
+               {x, apart, high},
+               {12 * mm, apart, high}},
+              0.1 * mm);
     scene.hold("left", {-8 * mm, -apart, high}, Vec3::UnitX(), Vec3::UnitY());
     scene.hold("right", {6 * mm, apart, high}, Vec3::UnitX(), -Vec3::UnitY());
     World world(scene.def, {}, scene.tools);
     const double at_first = length(world);
-    const auto below = [&] { const auto out = strands_in(world, 1); return out.empty() ? 0 : out.back() - out.front(); };  // of the thread [m]
+    const auto below = [&] {
+        const auto out = strands_in(world, 1);
+        return out.empty() ? 0 : out.back() - out.front();
+    };  // of the thread [m]
     const double loop = below();
     double stopped = 0;
     for (int t = 0; t < 700; ++t) {
@@ -101,9 +112,12 @@ TEST_P(Passes, TwoStrandsGoThroughOneHole) {
     EXPECT_NEAR(length(world), at_first, 1e-3 * at_first);
     double lowest = high;
     for (const Vec3& node : world.thread()) lowest = std::min(lowest, node.z());
-    if (std::string(GetParam()) == "elastic") {  // by Follow-The-Leader both jam in so narrow a hole, and the tools wait
-        EXPECT_GT(lowest, deep + 0.7 * mm) << "half of what both were drawn, but for how far they lift before they are taut";
-        EXPECT_LT(below(), loop - 1.8 * mm) << "all that was drawn comes out of the loop, and as much more as strands so slack (2 mN) bow";
+    if (std::string(GetParam()) ==
+        "elastic") {  // by Follow-The-Leader both jam in so narrow a hole, and the tools wait
+        EXPECT_GT(lowest, deep + 0.7 * mm)
+            << "half of what both were drawn, but for how far they lift before they are taut";
+        EXPECT_LT(below(), loop - 1.8 * mm)
+            << "all that was drawn comes out of the loop, and as much more as strands so slack (2 mN) bow";
         EXPECT_NEAR(below(), stopped, 0.05 * mm) << "hands at rest draw nothing";
     }
     const auto into = strands_in(world, 0), out = strands_in(world, 1);
@@ -126,7 +140,8 @@ TEST_P(Passes, TwentyGoThroughOneRing) {
     for (int i = 0; i < passes; ++i) {
         const double angle = (i + 0.5) * step;
         scene.def.vessels[0].bitten.push_back({at(angle, -1.2 * mm, 2.4 * mm), at(angle, -1.2 * mm, 1.1 * mm)});
-        for (const auto& [x, r] : {std::pair(-1.2, 2.4), {-1.2, 1.1}, {0.5, 1.1}}) path.push_back(at(angle, x * mm, r * mm));
+        for (const auto& [x, r] : {std::pair(-1.2, 2.4), {-1.2, 1.1}, {0.5, 1.1}})
+            path.push_back(at(angle, x * mm, r * mm));
         if (i + 1 < passes) path.push_back(at(angle + 0.5 * step, 0.5 * mm, 2.4 * mm));
     }
     path.push_back(at((passes - 0.5) * step, 14 * mm, 1.1 * mm));
@@ -154,9 +169,11 @@ TEST_P(Passes, TwentyGoThroughOneRing) {
             EXPECT_LT(before, strands[0]) << hole;
             before = strands[0];
         }
-    EXPECT_GT(length(world) - before - left_at_first, 2 * mm) << "of 3 mm that the hand went; the first turns are drawn tight first";
+    EXPECT_GT(length(world) - before - left_at_first, 2 * mm)
+        << "of 3 mm that the hand went; the first turns are drawn tight first";
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Passes, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
+INSTANTIATE_TEST_SUITE_P(Models, Passes, testing::Values("ftl", "elastic"),
+                         [](const auto& of) { return std::string(of.param); });
 
 }  // namespace passing

@@ -14,8 +14,9 @@ using sim::geometry::Vec3;
 
 constexpr double mm = 1e-3, tick = 1e-3;
 
-// The needle's circle stands upright over the gap, so that driven round it the needle meets both ends; its holder is turned about the circle's
-// axis, as a wrist turns. A second one waits aside. Walls so soft to puncture that nobody need back them.
+// The needle's circle stands upright over the gap, so that driven round it the needle meets both ends; its holder is
+// turned about the circle's axis, as a wrist turns. A second one waits aside. Walls so soft to puncture that nobody
+// need back them.
 struct Scene {
     scenarios::world::WorldDef def;
     std::array<ToolInput, 2> tools;
@@ -46,7 +47,8 @@ struct Scene {
         def.thread.links = links;
         def.thread.shortest_link = def.thread.diameter;
         const Vec3 behind = def.needle.tail() - 0.7 * mm * def.needle.tangent(0);
-        def.thread.start = {def.needle.tail(), behind, behind + Vec3(-1 * mm, 3 * mm, 0), behind + Vec3(-40 * mm, 4 * mm, 0)};
+        def.thread.start = {def.needle.tail(), behind, behind + Vec3(-1 * mm, 3 * mm, 0),
+                            behind + Vec3(-40 * mm, 4 * mm, 0)};
         tools[0] = {across(def.needle, 1 * mm, 1), 0};
         if (with_spare) lay_first_aside();
         tools[1] = {{{0, 40 * mm, 40 * mm}, Quat::Identity()}, 0.6};
@@ -81,7 +83,9 @@ struct Case {
     bool with_spare;
 };
 
-void PrintTo(const Case& of, std::ostream* out) { *out << of.name; }  // by default it would be bytes, with addresses among them
+void PrintTo(const Case& of, std::ostream* out) {
+    *out << of.name;
+}  // by default it would be bytes, with addresses among them
 
 class SewingTest : public testing::TestWithParam<Case> {};
 
@@ -103,7 +107,7 @@ TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
     go(1300, [&] { scene.turn(right, 0.1); });  // 100 degrees a second: the tip moves at 7 mm/s
     left.pose = Scene::across(world.needle(), world.needle().length() - 0.6 * mm, -1);
     left.pose.position.y() += 15 * mm;
-    go(300, [] {});                              // a hand that leaps: the tool comes after it
+    go(300, [] {});  // a hand that leaps: the tool comes after it
     go(750, [&] { left.pose.position.y() -= 0.02 * mm; });
     go(200, [] {});
     left.jaw = 0;
@@ -126,7 +130,9 @@ TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
             const Vec3 hole = vessel.skin.centre(end->hole);
             for (const auto& piece : world.curves())
                 for (std::size_t k = 0; k + 1 < piece.size(); ++k)
-                    nearest = std::min(nearest, std::sqrt(sim::geometry::closest_points(piece[k], piece[k + 1], hole, hole).distance_squared));
+                    nearest = std::min(
+                        nearest,
+                        std::sqrt(sim::geometry::closest_points(piece[k], piece[k + 1], hole, hole).distance_squared));
             EXPECT_LT(nearest, 0.15 * mm);  // its radius
         }
         double farthest = 0;  // the walls are where they were, but for what little the thread still draws
@@ -138,7 +144,8 @@ TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
     EXPECT_GT((world.needle().tail() - world.vessels()[1].skin.centre(0)).norm(), 8 * mm) << "the needle is on its way";
 }
 
-// Walls feel one needle at a time. One that is taken while another is in a wall waits until that is out, not until it is taken again.
+// Walls feel one needle at a time. One that is taken while another is in a wall waits until that is out, not until it
+// is taken again.
 TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
     Scene scene("ftl", 130, true);
     std::swap(scene.def.needle, scene.def.spares[0].needle);
@@ -162,8 +169,10 @@ TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
     EXPECT_EQ(in_use(), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, SewingTest, testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false}, Case{"ftl_few_links_and_a_spare", "ftl", 15, true},
-                                                                      Case{"elastic_few_links_and_a_spare", "elastic", 15, true}),
-    [](const auto& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(Models, SewingTest,
+                         testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false},
+                                         Case{"ftl_few_links_and_a_spare", "ftl", 15, true},
+                                         Case{"elastic_few_links_and_a_spare", "elastic", 15, true}),
+                         [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace sewing

@@ -14,8 +14,8 @@ using sim::geometry::Vec3;
 
 constexpr double mm = 1e-3, tick = 1e-3;
 
-// The vessel ends at x = 0, held at its other end. 6-0 thread comes over it, goes down through its wall and out by its lumen; needle holders
-// beyond the cut hold both strands.
+// The vessel ends at x = 0, held at its other end. 6-0 thread comes over it, goes down through its wall and out by its
+// lumen; needle holders beyond the cut hold both strands.
 struct Scene {
     scenarios::world::WorldDef def;
     std::vector<ToolInput> tools;
@@ -27,13 +27,16 @@ struct Scene {
         end.centre = {-3 * mm, 0, 0};
         end.end_held = false;
         end.is_soft = true;
-        end.young_modulus = 2e6;  // half as much is drawn out into a tongue of 5 mm before it tears, on which strands lie too
+        end.young_modulus =
+            2e6;  // half as much is drawn out into a tongue of 5 mm before it tears, on which strands lie too
         end.bitten = {{Vec3(-bite, 0, 2.5 * mm), Vec3(-bite, 0, 1 * mm)}};
         def.vessels.push_back(end);
         def.thread.model = model;
-        def.thread.start = {{14 * mm, 0, 2.6 * mm}, {0.5 * mm, 0, 2.6 * mm}, {-bite, 0, 2.3 * mm}, {-bite, 0, 1.2 * mm}, {0.5 * mm, 0, 0.9 * mm}, {14 * mm, 0, 0.9 * mm}};
+        def.thread.start = {{14 * mm, 0, 2.6 * mm}, {0.5 * mm, 0, 2.6 * mm}, {-bite, 0, 2.3 * mm},
+                            {-bite, 0, 1.2 * mm},   {0.5 * mm, 0, 0.9 * mm}, {14 * mm, 0, 0.9 * mm}};
         def.thread.length = 0;
-        for (std::size_t k = 1; k < def.thread.start.size(); ++k) def.thread.length += (def.thread.start[k] - def.thread.start[k - 1]).norm();
+        for (std::size_t k = 1; k < def.thread.start.size(); ++k)
+            def.thread.length += (def.thread.start[k] - def.thread.start[k - 1]).norm();
         def.thread.links = 100;
         def.thread.shortest_link = def.thread.diameter;
         for (const double z : {2.6 * mm, 0.9 * mm}) {
@@ -42,7 +45,8 @@ struct Scene {
             Eigen::Matrix3d axes;
             axes.col(1) = Vec3::UnitX(), axes.col(2) = -way * Vec3::UnitY();
             axes.col(0) = axes.col(1).cross(axes.col(2));
-            tools.push_back({{Vec3((way > 0 ? 4 : 10) * mm, 0, z) + 1.5 * mm * axes.col(2), Quat(axes).normalized()}, 0.6});
+            tools.push_back(
+                {{Vec3((way > 0 ? 4 : 10) * mm, 0, z) + 1.5 * mm * axes.col(2), Quat(axes).normalized()}, 0.6});
         }
     }
 };
@@ -53,7 +57,8 @@ double pull(const World& world) {
     double sum = 0;
     for (const auto& tool : world.tools())
         for (const auto& grasp : tool.grasps) {
-            const auto before = static_cast<std::size_t>(grasp.first), after = before + static_cast<std::size_t>(grasp.count) - 1;
+            const auto before = static_cast<std::size_t>(grasp.first),
+                       after = before + static_cast<std::size_t>(grasp.count) - 1;
             double most = 0;
             if (before > 0) most = std::max(most, tension[before - 1]);
             if (after < tension.size()) most = std::max(most, tension[after]);
@@ -80,12 +85,15 @@ std::vector<scenarios::world::Event> torn(const World& world) {
     return found;
 }
 
-double bears(const World& world) { return world.vessels()[0].bites.bears(world.vessels()[0].bites.bites()[0]); }
+double bears(const World& world) {
+    return world.vessels()[0].bites.bears(world.vessels()[0].bites.bites()[0]);
+}
 
 double off_rest(const World& world) {
     const auto& tissue = world.vessels()[0].tissue;
     double most = 0;
-    for (std::size_t n = 0; n < tissue.nodes().size(); ++n) most = std::max(most, (tissue.nodes()[n] - tissue.rest().nodes[n]).norm());
+    for (std::size_t n = 0; n < tissue.nodes().size(); ++n)
+        most = std::max(most, (tissue.nodes()[n] - tissue.rest().nodes[n]).norm());
     return most;
 }
 
@@ -97,7 +105,8 @@ double length(const World& world) {
 
 class Tear : public testing::TestWithParam<const char*> {};
 
-// By an elastic thread at what the bite bears, by Follow-The-Leader once the estimate has been more than that for a tenth of a second.
+// By an elastic thread at what the bite bears, by Follow-The-Leader once the estimate has been more than that for a
+// tenth of a second.
 TEST_P(Tear, OpensTheBiteOnceAndLetsTheThreadGo) {
     std::uint64_t hash = 0;
     for (const bool again : {false, true}) {
@@ -143,7 +152,8 @@ TEST_P(Tear, OpensTheBiteOnceAndLetsTheThreadGo) {
     }
 }
 
-// What both strands are drawn out with goes through the rim into the tissue, all of it: at rest the clamps hold as much.
+// What both strands are drawn out with goes through the rim into the tissue, all of it: at rest the clamps hold as
+// much.
 TEST(Tearing, WhatJawsDrawWithTheClampsHold) {
     Scene scene("elastic", 0.8 * mm);
     World world(scene.def, {}, scene.tools);
@@ -154,7 +164,8 @@ TEST(Tearing, WhatJawsDrawWithTheClampsHold) {
     Vec3 held = Vec3::Zero();
     for (const tissue::Hold& clamp : vessel.clamps) held -= vessel.tissue.hold_force(clamp.node);
     EXPECT_GT(pull(world), 0.2);
-    EXPECT_NEAR(held.norm(), pull(world), 0.1 * pull(world)) << "thread and wall are stepped in turn: forces are a tick old, and strands lie on the edge";
+    EXPECT_NEAR(held.norm(), pull(world), 0.1 * pull(world))
+        << "thread and wall are stepped in turn: forces are a tick old, and strands lie on the edge";
 }
 
 // To nine tenths of what the bite bears, by which the wall is drawn, and held there for a second.
@@ -199,13 +210,17 @@ TEST_P(Tear, TearsOrBreaksOnceWhenYanked) {
         if (t < 40) scene.tools[0].pose.position.x() += 500 * mm * tick;
         world.tick(scene.tools);
     }
-    const auto count = [&](const char* kind) { return std::count_if(world.events().begin(), world.events().end(), [&](const auto& event) { return event.kind == kind; }); };
+    const auto count = [&](const char* kind) {
+        return std::count_if(world.events().begin(), world.events().end(),
+                             [&](const auto& event) { return event.kind == kind; });
+    };
     EXPECT_LE(count("torn"), 1);
     EXPECT_LE(count("break"), 1);
     EXPECT_GE(count("torn") + count("break"), 1);
     EXPECT_EQ(world.measures().pass_throughs, 0u);
     EXPECT_LT(off_rest(world), 0.05 * mm);
-    EXPECT_TRUE(std::all_of(world.thread().begin(), world.thread().end(), [](const Vec3& node) { return node.allFinite(); }));
+    EXPECT_TRUE(
+        std::all_of(world.thread().begin(), world.thread().end(), [](const Vec3& node) { return node.allFinite(); }));
 }
 
 // What of an estimate lasts less than a tenth of a second was a hand that leapt.
@@ -222,6 +237,7 @@ TEST(Tearing, DoesNotBelieveAnEstimateAtOnce) {
     EXPECT_TRUE(torn(world).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Tear, testing::Values("ftl", "elastic"), [](const auto& of) { return std::string(of.param); });
+INSTANTIATE_TEST_SUITE_P(Models, Tear, testing::Values("ftl", "elastic"),
+                         [](const auto& of) { return std::string(of.param); });
 
 }  // namespace tearing

@@ -15,7 +15,10 @@ constexpr double mm = 1e-3;
 // A vessel along x between the jaws of forceps that open along z.
 struct Scene {
     scenarios::world::WorldDef def;
-    ToolInput tool{{{0, 2.5 * mm, 0}, Quat(Eigen::AngleAxisd(-0.5 * EIGEN_PI, Vec3::UnitX()) * Eigen::AngleAxisd(0.5 * EIGEN_PI, Vec3::UnitZ()))}, 1};
+    ToolInput tool{
+        {{0, 2.5 * mm, 0},
+         Quat(Eigen::AngleAxisd(-0.5 * EIGEN_PI, Vec3::UnitX()) * Eigen::AngleAxisd(0.5 * EIGEN_PI, Vec3::UnitZ()))},
+        1};
 
     Scene() {
         scenarios::world::VesselDef vessel;
@@ -40,10 +43,12 @@ TEST(WallGrip, HoldsBothWallsOfAVesselPinchedFlat) {
     }
     const tissue::Tissue& wall = world.vessels()[0].tissue;
     int above = 0, below = 0;
-    for (const auto& grip : world.tools()[0].walls) (tissue::position(grip.at, wall.rest(), wall.rest().nodes).z() > 0 ? above : below)++;
+    for (const auto& grip : world.tools()[0].walls)
+        (tissue::position(grip.at, wall.rest(), wall.rest().nodes).z() > 0 ? above : below)++;
     EXPECT_GT(above, 20);
     EXPECT_GT(below, 20);
-    for (const auto& grip : world.tools()[0].walls) EXPECT_LT(std::abs(wall.position(grip.at).z()), scene.def.vessels[0].wall);
+    for (const auto& grip : world.tools()[0].walls)
+        EXPECT_LT(std::abs(wall.position(grip.at).z()), scene.def.vessels[0].wall);
 }
 
 }  // namespace wall_gripping

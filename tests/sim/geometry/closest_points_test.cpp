@@ -97,19 +97,23 @@ TEST(ClosestPoints, SegmentsAgreeWithASlowSearch) {
     }
 }
 
-// Sides are looked at three at once. Every fifth segment ends beyond a corner, where sides tie, every eleventh is as parallel to a
-// side as is told apart: another order of sums, or a tie taken otherwise, is another bit here and another knot an hour later.
+// Sides are looked at three at once. Every fifth segment ends beyond a corner, where sides tie, every eleventh is as
+// parallel to a side as is told apart: another order of sums, or a tie taken otherwise, is another bit here and another
+// knot an hour later.
 TEST(ClosestPoints, SidesOfATriangleAtOnceAreTheSameBitsAsOneByOne) {
     Scene scene(4);
     int beside = 0;
     for (int i = 0; i < 20000; ++i) {
         const Vec3 corner = 2 * scene.point();
         const Triangle triangle{corner, corner + scene.point(), corner + scene.side(i, Vec3::UnitZ())};
-        const Vec3 a0 = 2 * scene.point(), along = i % 11 ? scene.side(i + 1, Vec3::UnitX()) : Vec3(0.3 * (triangle.c - triangle.b) + 1e-3 * scene.point());
+        const Vec3 a0 = 2 * scene.point(), along = i % 11
+                                                       ? scene.side(i + 1, Vec3::UnitX())
+                                                       : Vec3(0.3 * (triangle.c - triangle.b) + 1e-3 * scene.point());
         const Vec3 a1 = i % 5 ? Vec3(a0 + along) : Vec3(2 * triangle.b - 0.5 * (triangle.a + triangle.c));
         const auto pair = closest_points(a0, a1, triangle);
         ClosestPair best = closest_points(a0, a1, triangle.a, triangle.b);
-        for (const auto& edge : {closest_points(a0, a1, triangle.b, triangle.c), closest_points(a0, a1, triangle.c, triangle.a)})
+        for (const auto& edge :
+             {closest_points(a0, a1, triangle.b, triangle.c), closest_points(a0, a1, triangle.c, triangle.a)})
             if (edge.distance_squared < best.distance_squared) best = edge;
         if (pair.distance_squared < best.distance_squared) continue;  // within the face
         ++beside;
@@ -120,18 +124,22 @@ TEST(ClosestPoints, SidesOfATriangleAtOnceAreTheSameBitsAsOneByOne) {
     EXPECT_GT(beside, 10000);
 }
 
-// Every third triangle is a sliver, as beside a hole, every seventh of them has no area: one whose sides are mistaken says that a wall is pushed from elsewhere.
+// Every third triangle is a sliver, as beside a hole, every seventh of them has no area: one whose sides are mistaken
+// says that a wall is pushed from elsewhere.
 TEST(ClosestPoints, APointsPlaceOnATriangleIsTheSegmentsOfNoLength) {
     Scene scene(5);
     std::array<int, 3> regions{};
     for (int i = 0; i < 20000; ++i) {
         const Vec3 corner = scene.point(), side = scene.point();
-        const Triangle triangle{corner, corner + side, i % 3 ? Vec3(corner + scene.point()) : Vec3(corner + 0.5 * side + (i % 7 ? 1e-3 : 0) * scene.point())};
+        const Triangle triangle{
+            corner, corner + side,
+            i % 3 ? Vec3(corner + scene.point()) : Vec3(corner + 0.5 * side + (i % 7 ? 1e-3 : 0) * scene.point())};
         const Vec3 p = 2 * scene.point(), place = closest_point(p, triangle);
         const auto pair = closest_points(p, p, triangle);
         ASSERT_NEAR((place - p).norm(), length_of(pair), 1e-12) << i;
         int on = 0;  // sides
-        for (const auto& [a, b] : {std::pair(triangle.a, triangle.b), std::pair(triangle.b, triangle.c), std::pair(triangle.c, triangle.a)})
+        for (const auto& [a, b] :
+             {std::pair(triangle.a, triangle.b), std::pair(triangle.b, triangle.c), std::pair(triangle.c, triangle.a)})
             on += closest_points(place, place, a, b).distance_squared < 1e-24;
         ++regions[static_cast<std::size_t>(on)];
     }

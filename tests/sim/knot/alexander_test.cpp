@@ -7,8 +7,8 @@
 #include "sim/knot/table.hpp"
 #include "tests/sim/knot/ropes.hpp"
 
-// Names checked by a slow plain way that shares no code with them: Alexander's polynomial at two numbers modulo a prime,
-// from every crossing of one raw view, by elimination; and the same of what the name says.
+// Names checked by a slow plain way that shares no code with them: Alexander's polynomial at two numbers modulo a
+// prime, from every crossing of one raw view, by elimination; and the same of what the name says.
 
 using app::bench::Random;
 using ropes::Rope;
@@ -18,7 +18,9 @@ namespace {
 
 constexpr std::int64_t prime = 2147483647;
 
-std::int64_t times(std::int64_t a, std::int64_t b) { return a * b % prime; }
+std::int64_t times(std::int64_t a, std::int64_t b) {
+    return a * b % prime;
+}
 
 std::int64_t inverse(std::int64_t a) {
     std::int64_t result = 1;
@@ -28,8 +30,8 @@ std::int64_t inverse(std::int64_t a) {
 }
 
 struct Under {
-    double at;        // edge and place along it where the strand passes under,
-    double over_at;   // and where the strand above it passes
+    double at;       // edge and place along it where the strand passes under,
+    double over_at;  // and where the strand above it passes
     bool positive;
 };
 
@@ -59,7 +61,8 @@ std::int64_t alexander_at(std::int64_t t, const std::vector<Under>& unders) {
     if (n < 2) return 1;
     std::vector<std::vector<std::int64_t>> m(n, std::vector<std::int64_t>(n, 0));
     for (std::size_t k = 0; k < n; ++k) {
-        const auto above = std::lower_bound(unders.begin(), unders.end(), unders[k].over_at, [](const Under& u, double at) { return u.at < at; });
+        const auto above = std::lower_bound(unders.begin(), unders.end(), unders[k].over_at,
+                                            [](const Under& u, double at) { return u.at < at; });
         const std::size_t over = static_cast<std::size_t>(above - unders.begin()) % n, out = (k + 1) % n;
         const auto add = [&](std::size_t arc, std::int64_t x) { m[k][arc] = (m[k][arc] + x + prime) % prime; };
         add(over, 1 - t);
@@ -140,6 +143,7 @@ TEST(Alexander, TellsKnotsApart) {
     const auto trefoil = ropes::torus_knot(3), five = ropes::torus_knot(5);
     std::mt19937 random(1);
     const auto unders = unders_of(ropes::turned(trefoil, random));
-    EXPECT_TRUE(equal_up_to_units(alexander_at(3, sim::knot::name_knot(trefoil, true)), alexander_at(3, unders), 3, 100));
+    EXPECT_TRUE(
+        equal_up_to_units(alexander_at(3, sim::knot::name_knot(trefoil, true)), alexander_at(3, unders), 3, 100));
     EXPECT_FALSE(equal_up_to_units(alexander_at(3, sim::knot::name_knot(five, true)), alexander_at(3, unders), 3, 100));
 }

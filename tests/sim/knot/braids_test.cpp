@@ -34,8 +34,8 @@ std::vector<Braid> braids() {
     return all;
 }
 
-// One tour along strands that go up in y and return on the right, the outermost first. A positive letter has whoever goes right
-// over whoever goes left.
+// One tour along strands that go up in y and return on the right, the outermost first. A positive letter has whoever
+// goes right over whoever goes left.
 Rope closure(const Braid& braid) {
     const int n = static_cast<int>(braid.word.size());
     Rope rope;
@@ -61,8 +61,8 @@ Rope closure(const Braid& braid) {
 
 }  // namespace
 
-// Every prime knot of the table from a drawing that has nothing to do with it, on its grid and in some attitude, and its mirror
-// image.
+// Every prime knot of the table from a drawing that has nothing to do with it, on its grid and in some attitude, and
+// its mirror image.
 TEST(Braids, EveryPrimeKnotToTenCrossingsIsNamedFromItsBraid) {
     std::mt19937 random(7);
     int right = 0;

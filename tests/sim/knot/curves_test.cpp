@@ -111,14 +111,15 @@ TEST(LabelledCurves, SurgicalNamesMatch) {
     EXPECT_EQ(checked, 26);
 }
 
-// What is tied round a pole, and working knots, by the first words of their labels; each from both sides of the pole and as a
-// mirror image, for a hitch has no hand.
+// What is tied round a pole, and working knots, by the first words of their labels; each from both sides of the pole
+// and as a mirror image, for a hitch has no hand.
 TEST(LabelledCurves, HitchesAndWorkingKnotsAreCalledByTheirNames) {
     int checked = 0;
     for (auto curve : ropes::labelled()) {
         if (!curve.label.contains("surgical")) continue;
         const std::string label = curve.label["surgical"];
-        for (const char* name : {"single turn", "round turn", "clove hitch", "constrictor", "cow hitch", "prusik", "bowline"}) {
+        for (const char* name :
+             {"single turn", "round turn", "clove hitch", "constrictor", "cow hitch", "prusik", "bowline"}) {
             if (!label.starts_with(name)) continue;
             SCOPED_TRACE(curve.id);
             EXPECT_EQ(sim::knot::name_link(curve.components).name.surgical, name);
@@ -132,8 +133,8 @@ TEST(LabelledCurves, HitchesAndWorkingKnotsAreCalledByTheirNames) {
     EXPECT_EQ(checked, 11);
 }
 
-// Tied stitches as they lie in space: from some sides a strand hides the order of the throws, which others show; straightened, the capsized one hid it
-// from six of them in two of a hundred attitudes, and as it lay.
+// Tied stitches as they lie in space: from some sides a strand hides the order of the throws, which others show;
+// straightened, the capsized one hid it from six of them in two of a hundred attitudes, and as it lay.
 TEST(TiedStitch, IsReadAlikeHoweverItIsTurned) {
     for (const char* of : {"stitch-2-1-1", "stitch-2-1-1-capsized"}) {
         ropes::Rope stitch;

@@ -1,18 +1,21 @@
+#include "sim/knot/form.hpp"
+
 #include <gtest/gtest.h>
 
 #include "app/bench/capsized.hpp"
-#include "sim/knot/form.hpp"
 #include "tests/sim/knot/ropes.hpp"
 
 using app::bench::Pull;
 using app::bench::pulled;
 using sim::knot::unevenness;
 
-// The same square or granny knot lies flat when both tails are pulled, and capsizes round a strand that is pulled straight.
+// The same square or granny knot lies flat when both tails are pulled, and capsizes round a strand that is pulled
+// straight.
 TEST(Form, KnotsPulledByOneStrandAreCapsized) {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
         SCOPED_TRACE(seed);
-        const auto flat = sim::knot::name_knot(pulled(Pull::tails, seed)), capsized = sim::knot::name_knot(pulled(Pull::one_strand, seed));
+        const auto flat = sim::knot::name_knot(pulled(Pull::tails, seed)),
+                   capsized = sim::knot::name_knot(pulled(Pull::one_strand, seed));
         EXPECT_TRUE(flat.flat);
         EXPECT_FALSE(capsized.flat);
         EXPECT_EQ(flat.throws.size(), 3u);
@@ -29,7 +32,8 @@ TEST(Form, IsTheSameFromAllSides) {
         std::mt19937 random(1);
         ropes::Rope small = rope;
         for (auto& p : small) p = 1e-3 * p + ropes::Vec3(1, 2, 3);
-        for (const auto& same : {ropes::turned(rope, random), ropes::mirrored(rope), small}) EXPECT_NEAR(unevenness(same), expected, 1e-9);
+        for (const auto& same : {ropes::turned(rope, random), ropes::mirrored(rope), small})
+            EXPECT_NEAR(unevenness(same), expected, 1e-9);
     }
 }
 

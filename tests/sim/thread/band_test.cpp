@@ -9,8 +9,8 @@ namespace {
 
 using sim::thread::Band;
 
-// What elimination fills beyond a row's stretch would be lost, and the answer wrong by a little: every length and push along a wrap
-// would be. Stretches of all widths, unsymmetric, against a dense solve.
+// What elimination fills beyond a row's stretch would be lost, and the answer wrong by a little: every length and push
+// along a wrap would be. Stretches of all widths, unsymmetric, against a dense solve.
 TEST(Band, SolvesWhatADenseMatrixDoes) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -28,9 +28,11 @@ TEST(Band, SolvesWhatADenseMatrixDoes) {
         }
         std::vector<double> x(n);
         for (double& value : x) value = number(random);
-        const Eigen::VectorXd expected = dense.partialPivLu().solve(Eigen::Map<Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(n)));
+        const Eigen::VectorXd expected =
+            dense.partialPivLu().solve(Eigen::Map<Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(n)));
         band.solve(x);
-        for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(x[i], expected[static_cast<Eigen::Index>(i)], 1e-14) << n << ' ' << i;
+        for (std::size_t i = 0; i < n; ++i)
+            EXPECT_NEAR(x[i], expected[static_cast<Eigen::Index>(i)], 1e-14) << n << ' ' << i;
     }
 }
 

@@ -27,9 +27,9 @@ State disturbed_overhand(unsigned seed) {
     return state;
 }
 
-// The coupled solve says beforehand how far each contact will part when all push and all lengths answer. A wrong sign, a
-// forgotten neighbour or a wrong inverse would send strands where nobody looked. A contact's points move linearly with the
-// nodes, so only rounding may differ.
+// The coupled solve says beforehand how far each contact will part when all push and all lengths answer. A wrong sign,
+// a forgotten neighbour or a wrong inverse would send strands where nobody looked. A contact's points move linearly
+// with the nodes, so only rounding may differ.
 TEST(Couple, ContactsPartAsFarAsTheSolveSaid) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);
@@ -52,7 +52,8 @@ TEST(Couple, ContactsPartAsFarAsTheSolveSaid) {
     }
 }
 
-// Lengths are kept while contacts part, but for what a first-order answer leaves: squares of moves over a link's length.
+// Lengths are kept while contacts part, but for what a first-order answer leaves: squares of moves over a link's
+// length.
 TEST(Couple, LengthsAreKept) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);
@@ -65,7 +66,8 @@ TEST(Couple, LengthsAreKept) {
         for (std::size_t i = 0; i < start.size(); ++i) move = std::max(move, (state.nodes[i] - start[i]).norm());
         ASSERT_GT(move, 0);
         const double link = 2 * radius;
-        EXPECT_LE(sim::thread::worst_stretch(state, state.nodes), 4 * move * move / (link * link) + sim::thread::stretch_tolerance);
+        EXPECT_LE(sim::thread::worst_stretch(state, state.nodes),
+                  4 * move * move / (link * link) + sim::thread::stretch_tolerance);
     }
 }
 

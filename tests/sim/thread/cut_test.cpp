@@ -13,7 +13,9 @@ using sim::thread::Piece;
 
 constexpr double thickness = 2 * radius;
 
-ThreadDef ftl() { return {}; }
+ThreadDef ftl() {
+    return {};
+}
 
 ThreadDef elastic() {
     ThreadDef def;
@@ -31,9 +33,13 @@ double length(const Thread& thread, const Piece& piece) {
     return std::accumulate(from + piece.first, from + piece.last, 0.0);
 }
 
-double length(const Thread& thread) { return std::accumulate(thread.rest_lengths().begin(), thread.rest_lengths().end(), 0.0); }
+double length(const Thread& thread) {
+    return std::accumulate(thread.rest_lengths().begin(), thread.rest_lengths().end(), 0.0);
+}
 
-Vec3 at(const Thread& thread, int node) { return thread.nodes()[static_cast<std::size_t>(node)]; }
+Vec3 at(const Thread& thread, int node) {
+    return thread.nodes()[static_cast<std::size_t>(node)];
+}
 
 // A hand at the tip of each end, taken `step` farther each tick, and what the worst of all ticks was.
 struct Hands {
@@ -52,7 +58,9 @@ struct Hands {
         }
     }
 
-    void apart(Thread& thread, double step, int ticks) { take(thread, -step * Vec3::UnitX(), step * Vec3::UnitX(), ticks); }
+    void apart(Thread& thread, double step, int ticks) {
+        take(thread, -step * Vec3::UnitX(), step * Vec3::UnitX(), ticks);
+    }
 
     std::array<int, 2> nodes;
     Worst worst;
@@ -61,7 +69,8 @@ struct Hands {
 
 double distance_to(const Vec3& p, std::span<const Vec3> nodes) {
     double least2 = 1e300;
-    for (std::size_t i = 1; i < nodes.size(); ++i) least2 = std::min(least2, sim::geometry::closest_points(p, p, nodes[i - 1], nodes[i]).distance_squared);
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        least2 = std::min(least2, sim::geometry::closest_points(p, p, nodes[i - 1], nodes[i]).distance_squared);
     return std::sqrt(least2);
 }
 
@@ -75,24 +84,28 @@ void expect_sound(const Hands& hands, const Thread& thread) {
     EXPECT_LE(hands.worst.step_over_bound, 1 + 1e-12);  // rounding of a norm
 }
 
-// Wherever a blade comes down, by links longer and shorter than the thread is thick: each piece ends half a thickness from it, to
-// within what is too short to be a link, and lies where it lay.
+// Wherever a blade comes down, by links longer and shorter than the thread is thick: each piece ends half a thickness
+// from it, to within what is too short to be a link, and lies where it lay.
 TEST(Cut, EndsTheOnePieceAndBeginsTheNextAtThatPlace) {
     for (const double link : {0.5, 1.0, 6.0})  // thicknesses
         for (const double share : {0.0, 0.1, 0.5, 0.97, 1.0}) {
             SCOPED_TRACE(testing::Message() << link << " thicknesses, at " << share);
             std::vector<Vec3> start = straight(40);
             for (Vec3& p : start) p *= link;
-            for (std::size_t i = 21; i < start.size(); ++i) start[i] = start[20] + Vec3(0, start[i].x() - start[20].x(), 0);  // a corner next to it
+            for (std::size_t i = 21; i < start.size(); ++i)
+                start[i] = start[20] + Vec3(0, start[i].x() - start[20].x(), 0);  // a corner next to it
             Thread thread({}, start);
-            const double whole = length(thread), place = (19 + share) * link * thickness, crumb = std::min(radius, 0.25 * link * thickness);
+            const double whole = length(thread), place = (19 + share) * link * thickness,
+                         crumb = std::min(radius, 0.25 * link * thickness);
             ASSERT_TRUE(thread.cut(19, share, {}));
             const std::vector<Piece> pieces = thread.pieces();
             ASSERT_EQ(pieces.size(), 2u);
             EXPECT_TRUE(thread.is_cut(pieces[0].last));
             EXPECT_EQ(pieces[0].last + 1, pieces[1].first);
-            EXPECT_NEAR(length(thread, pieces[0]), place - 0.52 * thickness - 0.5 * crumb, 0.5 * crumb + 0.01 * thickness);
-            EXPECT_NEAR(length(thread, pieces[1]), whole - place - 0.52 * thickness - 0.5 * crumb, 0.5 * crumb + 0.01 * thickness);
+            EXPECT_NEAR(length(thread, pieces[0]), place - 0.52 * thickness - 0.5 * crumb,
+                        0.5 * crumb + 0.01 * thickness);
+            EXPECT_NEAR(length(thread, pieces[1]), whole - place - 0.52 * thickness - 0.5 * crumb,
+                        0.5 * crumb + 0.01 * thickness);
             for (const Vec3& p : thread.nodes()) EXPECT_LE(distance_to(p, start), 1e-12 * whole);
             for (std::size_t k = 0; k < thread.rest_lengths().size(); ++k) {
                 if (thread.is_cut(static_cast<int>(k))) continue;
@@ -128,7 +141,8 @@ TEST(Cut, HeldNodesKeepTheirPlacesAndTellWhatIsGone) {
     for (const std::size_t h : {0u, 1u, 3u, 4u}) EXPECT_EQ(at(thread, held[h]), places[h]) << h;
 }
 
-// What hands hold by the ends of one piece, and what lies cut off, has nothing to do with what is pulled: no piece follows another.
+// What hands hold by the ends of one piece, and what lies cut off, has nothing to do with what is pulled: no piece
+// follows another.
 TEST(Cut, PiecesGoTheirOwnWays) {
     for (const ThreadDef& def : {ftl(), elastic(), fitted(ftl()), fitted(elastic())}) {
         SCOPED_TRACE(testing::Message() << (def.elastic ? "elastic " : "ftl ") << def.shortest_link);
@@ -152,8 +166,8 @@ TEST(Cut, PiecesGoTheirOwnWays) {
     }
 }
 
-// One piece goes as it would if it were all there is: straight tails between two hands that go the same way must not be carried along as
-// if they were one taut thread.
+// One piece goes as it would if it were all there is: straight tails between two hands that go the same way must not be
+// carried along as if they were one taut thread.
 TEST(Cut, APieceGoesAsAThreadOfItsOwnDoes) {
     for (const ThreadDef& def : {ftl(), elastic()}) {
         SCOPED_TRACE(def.elastic ? "elastic" : "ftl");
@@ -183,7 +197,8 @@ TEST(Cut, AnEndLiesBesideTheOtherPiece) {
     std::array<int, 1> held{20};
     ASSERT_TRUE(thread.cut(9, 0.5, held));
     const Piece first = thread.pieces()[0], second = thread.pieces()[1];
-    const Vec3 before = at(thread, first.last - 1), to = at(thread, first.last) + Vec3(-4 * thickness, 1.5 * thickness, 0);
+    const Vec3 before = at(thread, first.last - 1),
+               to = at(thread, first.last) + Vec3(-4 * thickness, 1.5 * thickness, 0);
     const Vec3 from = at(thread, second.first);
     for (int i = 1; i <= 200; ++i) {
         const double up = std::min(1.0, i / 100.0), along = std::max(0.0, i / 100.0 - 1);
@@ -208,7 +223,8 @@ TEST(Cut, WhatWasJammedIsFree) {
     EXPECT_EQ(hands.worst.fraction, 1);
 }
 
-// A thread in balance in every tick has no mass; a piece that nobody holds then falls as stones do, or tools would wait for its fall.
+// A thread in balance in every tick has no mass; a piece that nobody holds then falls as stones do, or tools would wait
+// for its fall.
 TEST(Cut, APieceThatNobodyHoldsFalls) {
     constexpr double g = 9.81;
     ThreadDef def = elastic();
@@ -234,7 +250,8 @@ TEST(Cut, APieceThatNobodyHoldsFalls) {
     EXPECT_NEAR(from - at(thread, cut_off.last).z(), fallen, 0.01 * fallen);
 }
 
-// What strands do to each other does not end where one of them was cut: pushed together end to end, or side by side, they keep apart.
+// What strands do to each other does not end where one of them was cut: pushed together end to end, or side by side,
+// they keep apart.
 TEST(Cut, PiecesMeetAsStrandsDo) {
     for (const ThreadDef& def : {ftl(), elastic()}) {
         SCOPED_TRACE(def.elastic ? "elastic" : "ftl");
@@ -247,8 +264,8 @@ TEST(Cut, PiecesMeetAsStrandsDo) {
     }
 }
 
-// A knot pulled tight and cut through: no strand may leap through another as the rest of it comes loose, and then the hands draw
-// the pieces out of each other.
+// A knot pulled tight and cut through: no strand may leap through another as the rest of it comes loose, and then the
+// hands draw the pieces out of each other.
 TEST(Cut, AKnotCutInItsMiddleComesApart) {
     for (const ThreadDef& def : {ftl(), elastic()}) {
         SCOPED_TRACE(def.elastic ? "elastic" : "ftl");
@@ -317,7 +334,8 @@ TEST(Cut, WhatWasTautIsSlack) {
         Thread thread(def, straight(60));
         Hands hands(thread);
         for (int i = 0; i < 400 && *std::max_element(thread.tension().begin(), thread.tension().end()) < 1; ++i) {
-            const Hold holds[] = {{0, at(thread, 0) - Vec3(2e-5, 0, 0), Vec3(-1e-3, 0, 0)}, {60, at(thread, 60) + Vec3(2e-5, 0, 0), straight(60).back() + Vec3(1e-3, 0, 0)}};
+            const Hold holds[] = {{0, at(thread, 0) - Vec3(2e-5, 0, 0), Vec3(-1e-3, 0, 0)},
+                                  {60, at(thread, 60) + Vec3(2e-5, 0, 0), straight(60).back() + Vec3(1e-3, 0, 0)}};
             constexpr int owners[] = {0, 1};
             thread.tick({holds, owners, {}, nullptr, tick});
         }
@@ -327,7 +345,8 @@ TEST(Cut, WhatWasTautIsSlack) {
         for (int i = 0; i < 200; ++i) {
             const std::vector<Vec3> before(thread.nodes().begin(), thread.nodes().end());
             hands.apart(thread, 0, 1);
-            for (std::size_t k = 0; k < before.size(); ++k) fastest = std::max(fastest, (thread.nodes()[k] - before[k]).norm() / tick);
+            for (std::size_t k = 0; k < before.size(); ++k)
+                fastest = std::max(fastest, (thread.nodes()[k] - before[k]).norm() / tick);
         }
         expect_sound(hands, thread);
         EXPECT_LT(*std::max_element(thread.tension().begin(), thread.tension().end()), 0.01);

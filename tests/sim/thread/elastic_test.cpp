@@ -26,7 +26,8 @@ ThreadDef elastic(double friction) {
 
 // Two hands, each at the last two nodes of an end, that take them apart along x.
 struct Pulled {
-    explicit Pulled(const ThreadDef& def, const std::vector<Vec3>& start) : thread(def, start), last(static_cast<int>(start.size()) - 1) {}
+    explicit Pulled(const ThreadDef& def, const std::vector<Vec3>& start)
+        : thread(def, start), last(static_cast<int>(start.size()) - 1) {}
 
     TickReport by(double way) {
         const std::span<const Vec3> x = thread.nodes();
@@ -68,7 +69,8 @@ TEST(Elastic, OverhandTightensAndStaysOne) {
     }
 }
 
-// The same bits twice; the mirror image of the scene gives the mirror image of the answer, another scale the same shape.
+// The same bits twice; the mirror image of the scene gives the mirror image of the answer, another scale the same
+// shape.
 TEST(Elastic, TheSameAgainMirroredAndLarger) {
     const auto play = [](double scale, double mirror) {
         ThreadDef def = elastic(0.2);
@@ -103,7 +105,8 @@ TEST(Elastic, HoldCarriesWhatHangs) {
         constexpr int owner[] = {0};
         thread.tick({hold, owner, {}, nullptr, tick});
     }
-    const double weight = 9.81 * def.elastic->mass_per_length() * (60 - 0.5) * 5e-4;  // half of the first link hangs on the held node itself
+    const double weight = 9.81 * def.elastic->mass_per_length() * (60 - 0.5) *
+                          5e-4;  // half of the first link hangs on the held node itself
     EXPECT_NEAR(thread.tension().front(), weight, 1e-3 * weight);
 }
 
@@ -135,13 +138,16 @@ TEST(Elastic, AirHaltsItInItsTime) {
         Thread thread(def, nodes);
         std::vector<Vec3> loads(nodes.size(), Vec3::Zero());
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            loads[i].z() = def.elastic->mass_per_length() * thickness * (i == 0 || i + 1 == nodes.size() ? 0.5 : 1) * speed / tick * (1 + tick / halting);
+            loads[i].z() = def.elastic->mass_per_length() * thickness * (i == 0 || i + 1 == nodes.size() ? 0.5 : 1) *
+                           speed / tick * (1 + tick / halting);
         thread.tick({{}, {}, {}, nullptr, tick, loads});
         const double begun = thread.nodes()[5].z();
-        EXPECT_NEAR(begun, speed * tick, 1e-6 * speed * tick);  // what keeps a free thread solvable is a billionth of its stiffness
+        EXPECT_NEAR(begun, speed * tick,
+                    1e-6 * speed * tick);  // what keeps a free thread solvable is a billionth of its stiffness
         constexpr int ticks = 50;
         for (int t = 0; t < ticks; ++t) thread.tick({{}, {}, {}, nullptr, tick});
-        const double kept = 1 / (1 + tick / halting), way = speed * tick * kept * (1 - std::pow(kept, ticks)) / (1 - kept);
+        const double kept = 1 / (1 + tick / halting),
+                     way = speed * tick * kept * (1 - std::pow(kept, ticks)) / (1 - kept);
         EXPECT_NEAR(thread.nodes()[5].z() - begun, way, 1e-4 * way) << halting;
     }
 }
@@ -184,13 +190,18 @@ TEST(Elastic, PiecesThatDoNotTouchAreSolvedApart) {
     EXPECT_EQ(most / thickness, 0);
 }
 
-// Coulomb's law for a thread of which every link touches a wall: a fiftieth above what slides it is on its way, a fiftieth below it stays.
+// Coulomb's law for a thread of which every link touches a wall: a fiftieth above what slides it is on its way, a
+// fiftieth below it stays.
 TEST(Elastic, SlidesDownAnInclineOnlyWhereItMust) {
     for (const double friction : {0.1, 0.3})
         for (const double seconds : {1e-3, 4e-3}) {
             SCOPED_TRACE(testing::Message() << friction << ' ' << seconds);
-            EXPECT_LT(std::abs(app::bench::incline_acceleration({.friction = friction, .share = 1.02, .link = 1, .tick = seconds}).error()), 0.01);
-            EXPECT_LT(app::bench::incline_drift({.friction = friction, .share = 0.98, .link = 1, .tick = seconds}, 2), 0.1);
+            EXPECT_LT(std::abs(app::bench::incline_acceleration(
+                                   {.friction = friction, .share = 1.02, .link = 1, .tick = seconds})
+                                   .error()),
+                      0.01);
+            EXPECT_LT(app::bench::incline_drift({.friction = friction, .share = 0.98, .link = 1, .tick = seconds}, 2),
+                      0.1);
         }
 }
 
@@ -208,9 +219,12 @@ TEST(Elastic, LiftsWhatLiesAcrossItAsBeamsDo) {
 // What they are is what they are called, and the tails of a reef may be let go of farther than those of a grief knot.
 TEST(Elastic, ReefHoldsWhereGriefSlips) {
     using app::bench::Bend;
-    const Bend reef{"reef", true, false}, thief{"thief", true, true}, granny{"granny", false, false}, grief{"grief", false, true};
-    for (const Bend& bend : {reef, thief}) EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#m3_1") << bend.words;
-    for (const Bend& bend : {granny, grief}) EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#3_1") << bend.words;
+    const Bend reef{"reef", true, false}, thief{"thief", true, true}, granny{"granny", false, false},
+        grief{"grief", false, true};
+    for (const Bend& bend : {reef, thief})
+        EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#m3_1") << bend.words;
+    for (const Bend& bend : {granny, grief})
+        EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#3_1") << bend.words;
     const app::bench::BendPull pull{.friction = 0.2, .bending_share = 0.02, .tails = 15};
     EXPECT_GT(app::bench::let_go(grief, pull).needed, app::bench::let_go(reef, pull).needed);
 }
@@ -227,8 +241,8 @@ TEST(Elastic, HandsWaitWhenItIsTaut) {
     EXPECT_GT(report.stretch_max, 0.09);
 }
 
-// Two tools pull a thread as hard as any may and ask for more: they wait, but the free end beyond them gives way when it is pushed.
-// A thread that stopped as a whole would be a rod of glass until they let go.
+// Two tools pull a thread as hard as any may and ask for more: they wait, but the free end beyond them gives way when
+// it is pushed. A thread that stopped as a whole would be a rod of glass until they let go.
 TEST(Elastic, WhatIsBesideATautStrandGivesWay) {
     std::vector<Vec3> nodes;
     for (int i = 0; i <= 80; ++i) nodes.emplace_back(thickness * i, 0, 0);
@@ -237,14 +251,16 @@ TEST(Elastic, WhatIsBesideATautStrandGivesWay) {
     TickReport report;
     double before = 0;
     for (int t = 1; t <= 300; ++t) {
-        const Hold holds[] = {{0, Vec3(-0.05 * thickness * t, 0, 0)}, {40, nodes[40] + 0.05 * thickness * t * Vec3::UnitX()}};
+        const Hold holds[] = {{0, Vec3(-0.05 * thickness * t, 0, 0)},
+                              {40, nodes[40] + 0.05 * thickness * t * Vec3::UnitX()}};
         constexpr int owners[] = {0, 1};
         if (t == 200) before = thread.nodes()[80].y(), loads[80].y() = 5e-5;  // [N]
         report = thread.tick({holds, owners, {}, nullptr, tick, loads});
     }
     EXPECT_LT(report.fraction, 0.05) << "the tools must have come to wait";
     EXPECT_LT(report.stretch_max, 0.1 * (1 + 1e-9));
-    EXPECT_GT(thread.nodes()[80].y() - before, 0.5 * thickness);  // a clamped end would by F L^3 / 3 B, one thickness; this one turns too
+    EXPECT_GT(thread.nodes()[80].y() - before,
+              0.5 * thickness);  // a clamped end would by F L^3 / 3 B, one thickness; this one turns too
 }
 
 // A thread that keeps its shape is at rest in it, one that does not springs straight.
@@ -288,7 +304,8 @@ TEST(Elastic, HalvesLinksWhereItBends) {
 // A bar led into a slack thread faster than the thread is thick a tick pushes it on and never comes out behind it.
 TEST(Elastic, AToolPushesItOn) {
     std::vector<Vec3> arc;
-    for (int i = 0; i <= 60; ++i) arc.emplace_back(2e-4 * (i - 30), 0, 1e-3 * std::cos(std::numbers::pi * (i - 30) / 60));
+    for (int i = 0; i <= 60; ++i)
+        arc.emplace_back(2e-4 * (i - 30), 0, 1e-3 * std::cos(std::numbers::pi * (i - 30) / 60));
     Thread thread(elastic(0.2), arc);
     constexpr double step = 3e-4, bar = 0.5e-3;
     Vec3 at(0, -2e-3, 1e-3);

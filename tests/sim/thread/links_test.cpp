@@ -20,12 +20,18 @@ double distance_to(const Vec3& p, std::span<const Vec3> nodes) {
     return std::sqrt(least2);
 }
 
-std::vector<Vec3> copy_of(const Thread& thread) { return {thread.nodes().begin(), thread.nodes().end()}; }
+std::vector<Vec3> copy_of(const Thread& thread) {
+    return {thread.nodes().begin(), thread.nodes().end()};
+}
 
-double length(const Thread& thread) { return std::accumulate(thread.rest_lengths().begin(), thread.rest_lengths().end(), 0.0); }
+double length(const Thread& thread) {
+    return std::accumulate(thread.rest_lengths().begin(), thread.rest_lengths().end(), 0.0);
+}
 
 // An overhand as loose as in a rope that is as thick as these links are long.
-Thread long_links(double shortest) { return {{.shortest_link = shortest}, overhand(60, 0.5 * long_link)}; }
+Thread long_links(double shortest) {
+    return {{.shortest_link = shortest}, overhand(60, 0.5 * long_link)};
+}
 
 // A link that is changed must not carry the thread anywhere, or through anything; neither may length be lost.
 TEST(Links, ChangingThemMovesNeitherTheThreadNorWhatIsHeld) {

@@ -1,8 +1,9 @@
+#include "app/bench/plastic_set.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "app/bench/plastic_set.hpp"
 #include "sim/thread/rod.hpp"
 #include "tests/sim/thread/scene.hpp"
 
@@ -21,7 +22,8 @@ Rod set_in_a_ring() {
     for (int i = 0; i <= links; ++i) nodes.emplace_back(i * diameter, 0, 0);
     Rod rod({.density = 0, .yield_strain = polypropylene_yield}, nodes);
     std::vector<Hold> laid;
-    for (int i = 0; i <= links; ++i) laid.push_back({i, 2 * diameter * Vec3(std::sin(0.5 * i), 1 - std::cos(0.5 * i), 0.1 * i)});
+    for (int i = 0; i <= links; ++i)
+        laid.push_back({i, 2 * diameter * Vec3(std::sin(0.5 * i), 1 - std::cos(0.5 * i), 0.1 * i)});
     rod.step({laid}, 0);
     return rod;
 }
@@ -32,12 +34,16 @@ double set_of(const Rod& rod) {
 }
 
 std::vector<Vec3> pulled_overhand(double yield_strain) {
-    Thread thread({.friction = 0.2, .elastic = RodDef{.axial_over_bending = 0, .yield_strain = yield_strain}}, scene::overhand());
+    Thread thread({.friction = 0.2, .elastic = RodDef{.axial_over_bending = 0, .yield_strain = yield_strain}},
+                  scene::overhand());
     for (int i = 0; i < 300; ++i) {
         const auto x = thread.nodes();
         const std::size_t last = x.size() - 1;
         const Vec3 out = 0.1 * diameter * Vec3::UnitX();
-        const Hold holds[] = {{0, x[0] - out}, {1, x[1] - out}, {static_cast<int>(last) - 1, x[last - 1] + out}, {static_cast<int>(last), x[last] + out}};
+        const Hold holds[] = {{0, x[0] - out},
+                              {1, x[1] - out},
+                              {static_cast<int>(last) - 1, x[last - 1] + out},
+                              {static_cast<int>(last), x[last] + out}};
         constexpr int owners[] = {0, 0, 1, 1};
         thread.tick({.holds = holds, .hold_owners = owners, .capsules = {}});
     }
@@ -46,8 +52,8 @@ std::vector<Vec3> pulled_overhand(double yield_strain) {
 
 }  // namespace
 
-// A round section of elastic and perfectly plastic fibres springs back by its moment over B. Ours gives way at once and not little by
-// little, which is right to a per cent about a strand of its own and to a twentieth at seven radii.
+// A round section of elastic and perfectly plastic fibres springs back by its moment over B. Ours gives way at once and
+// not little by little, which is right to a per cent about a strand of its own and to a twentieth at seven radii.
 TEST(PlasticSet, SpringsBackFromAMandrelAsFibresDo) {
     EXPECT_LT(std::abs(springback(1, polypropylene_yield).error()), 0.01);
     EXPECT_LT(std::abs(springback(3.5, polypropylene_yield).error()), 0.05);
@@ -85,9 +91,11 @@ TEST(PlasticSet, OutlivesHalvingAndJoiningLinks) {
 TEST(PlasticSet, IsPulledStraightBySoMuchAsYields) {
     Rod rod = set_in_a_ring();
     std::vector<Hold> straight;
-    for (int i = 0; i < static_cast<int>(rod.nodes().size()); ++i) straight.push_back({i, i * diameter * Vec3::UnitX()});
+    for (int i = 0; i < static_cast<int>(rod.nodes().size()); ++i)
+        straight.push_back({i, i * diameter * Vec3::UnitX()});
     rod.step({straight}, 0);
-    for (std::size_t i = 1; i + 1 < rod.nodes().size(); ++i) ASSERT_NEAR(rod.natural_bends()[i], rod.def().yield_curvature() * diameter, 1e-3) << i;
+    for (std::size_t i = 1; i + 1 < rod.nodes().size(); ++i)
+        ASSERT_NEAR(rod.natural_bends()[i], rod.def().yield_curvature() * diameter, 1e-3) << i;
 }
 
 // A tight overhand let go of springs open; one that was bent beyond yield stays a knot of the length that it had.

@@ -52,14 +52,16 @@ struct Cut {
         return points;
     }
 
-    // Between a link of one piece and a link of another or of the same, of a tool (none: -1), or where no node can move.
+    // Between a link of one piece and a link of another or of the same, of a tool (none: -1), or where no node can
+    // move.
     void press(std::mt19937& random, int piece, int other) {
         Pair pair;
         const auto add = [&](int of, double sign) {
             if (of < 0) return;
             const int first = of * size + static_cast<int>(random() % (size - 1));
             const double share = static_cast<double>(random() % 1000) / 1000;
-            for (const int k : {0, 1}) pair.node[at(pair.nodes)] = first + k, pair.weight[at(pair.nodes++)] = sign * (k ? share : 1 - share);
+            for (const int k : {0, 1})
+                pair.node[at(pair.nodes)] = first + k, pair.weight[at(pair.nodes++)] = sign * (k ? share : 1 - share);
         };
         add(piece, 1), add(other, -1);
         state.presses.emplace_back(&row).pair = pair;
@@ -68,7 +70,9 @@ struct Cut {
         Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * state.presses.size()), 3 * nodes);
         for (std::size_t c = 0; c < state.presses.size(); ++c)
             for (int k = 0; k < state.presses[c].pair.nodes; ++k)
-                for (int a = 0; a < 3; ++a) ways(sim::axes(c) + a, 3 * state.presses[c].pair.node[at(k)] + a) += state.presses[c].pair.weight[at(k)];
+                for (int a = 0; a < 3; ++a)
+                    ways(sim::axes(c) + a, 3 * state.presses[c].pair.node[at(k)] + a) +=
+                        state.presses[c].pair.weight[at(k)];
         return ways;
     }
     sim::thread::Row row{};
@@ -99,10 +103,11 @@ Vec3 pushed(const State& state) {
 
 }  // namespace
 
-// A thread that rests on a wall where two of its triangles meet is now nearer to one and now to the other. What it presses with, and what of that sticks, is
-// the wall's; to another that faces another way it is nothing.
+// A thread that rests on a wall where two of its triangles meet is now nearer to one and now to the other. What it
+// presses with, and what of that sticks, is the wall's; to another that faces another way it is nothing.
 TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
-    const Vec3 push(0.1, 0.05, 1), turned = Vec3(std::sin(0.1), 0, std::cos(0.1)), aside = Vec3(std::sin(0.5), 0, std::cos(0.5));
+    const Vec3 push(0.1, 0.05, 1), turned = Vec3(std::sin(0.1), 0, std::cos(0.1)),
+                                   aside = Vec3(std::sin(0.5), 0, std::cos(0.5));
     State state(Cut::thread(), Cut::line());
     state.pressed = {pressed(7, push)};
     state.rows = {on_wall(8, Vec3::UnitZ())};
@@ -119,8 +124,9 @@ TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
     EXPECT_EQ(pushed(state).norm(), 0);
 }
 
-// Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's dense inverse. What one push moves is
-// moved by push_more(). Of contacts that share no piece nothing is written, and nothing is read.
+// Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's
+// dense inverse. What one push moves is moved by push_more(). Of contacts that share no piece nothing is written, and
+// nothing is read.
 TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
@@ -140,7 +146,8 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         for (std::size_t d = 0; d < count; ++d)
             for (const sim::thread::Run& run : answers_to(state, d)) {
                 const auto first = sim::axes(run.first), size = sim::axes(run.past) - first;
-                ASSERT_LT((responses - expected).block(sim::axes(d), first, 3, size).cwiseAbs().maxCoeff(), 1e-12);  // entries are of the order of a fortieth
+                ASSERT_LT((responses - expected).block(sim::axes(d), first, 3, size).cwiseAbs().maxCoeff(),
+                          1e-12);  // entries are of the order of a fortieth
             }
         state.apart.assign(3 * count, 0.0);
         const Vec3 push(0.3, -1, 0.7);

@@ -69,11 +69,12 @@ TEST(Pull, ATautThreadIsCarriedSideways) {
         pull.right = thread.nodes().back() + by;
         EXPECT_LE(pull.hold(thread).stretch_max, 1e-3);
     }
-    for (const std::size_t node : {0, 100, 200}) EXPECT_NEAR(thread.nodes()[node].z(), ticks * by.z(), 0.1 * ticks * by.norm()) << node;
+    for (const std::size_t node : {0, 100, 200})
+        EXPECT_NEAR(thread.nodes()[node].z(), ticks * by.z(), 0.1 * ticks * by.norm()) << node;
 }
 
-// One hand pulls a taut thread, the other lets it come: were both to wait for each other, the thread would hang for ever
-// on a pull that nobody makes any more.
+// One hand pulls a taut thread, the other lets it come: were both to wait for each other, the thread would hang for
+// ever on a pull that nobody makes any more.
 TEST(Pull, AToolThatGivesWayNeedNotWaitForOneThatPulls) {
     Thread thread({}, straight(100));
     const int owners[] = {0, 1};

@@ -1,3 +1,5 @@
+#include "sim/thread/rod.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -5,7 +7,6 @@
 
 #include "app/bench/rod_capstan.hpp"
 #include "app/bench/rod_cases.hpp"
-#include "sim/thread/rod.hpp"
 
 namespace rods {
 
@@ -17,15 +18,26 @@ std::vector<Vec3> straight(int links, double length) {
     return nodes;
 }
 
-// Against Eigen's dense solver, on matrices a rod could have, and with nodes that touch at its ends, beside each other, one apart,
-// all over, and more of them than go up the chain together; whole and cut, with what touches before, behind and on both sides.
+// Against Eigen's dense solver, on matrices a rod could have, and with nodes that touch at its ends, beside each other,
+// one apart, all over, and more of them than go up the chain together; whole and cut, with what touches before, behind
+// and on both sides.
 TEST(ChainMatrix, SolvesAsADenseMatrixDoes) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     for (const int cut_behind : {-1, 4, 8, 11}) {
-        for (const std::vector<int>& touching : std::vector<std::vector<int>>{{}, {0, 1}, {15, 16}, {0, 1, 15, 16}, {2, 3, 5, 6}, {3, 4, 9, 10, 11}, {0, 1, 2, 7, 8, 12, 13}, {0, 1, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 15, 16}}) {
+        for (const std::vector<int>& touching :
+             std::vector<std::vector<int>>{{},
+                                           {0, 1},
+                                           {15, 16},
+                                           {0, 1, 15, 16},
+                                           {2, 3, 5, 6},
+                                           {3, 4, 9, 10, 11},
+                                           {0, 1, 2, 7, 8, 12, 13},
+                                           {0, 1, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 15, 16}}) {
             constexpr int n = 17, fixed = 14;
-            const auto touches = [&](int i) { return std::find(touching.begin(), touching.end(), i) != touching.end(); };
+            const auto touches = [&](int i) {
+                return std::find(touching.begin(), touching.end(), i) != touching.end();
+            };
             ChainMatrix matrix;
             matrix.clear(n);
             Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * n, 3 * n);
@@ -48,7 +60,9 @@ TEST(ChainMatrix, SolvesAsADenseMatrixDoes) {
                 matrix.lead(fixed, there, led);
                 for (int i = 0; i < n; ++i)
                     if (i != fixed) {
-                        EXPECT_LT((led[static_cast<std::size_t>(i)] + dense.block(3 * i, 3 * fixed, 3, 3) * there).norm(), 1e-12);
+                        EXPECT_LT(
+                            (led[static_cast<std::size_t>(i)] + dense.block(3 * i, 3 * fixed, 3, 3) * there).norm(),
+                            1e-12);
                     }
                 matrix.fix(fixed);
                 dense.middleRows(3 * fixed, 3).setZero(), dense.middleCols(3 * fixed, 3).setZero();
@@ -58,13 +72,17 @@ TEST(ChainMatrix, SolvesAsADenseMatrixDoes) {
             matrix.solve(x);
             const Eigen::MatrixXd inverse = dense.inverse();
             const Eigen::VectorXd expected = inverse * right;
-            for (int i = 0; i < n; ++i) EXPECT_LT((x[static_cast<std::size_t>(i)] - expected.segment<3>(3 * i)).norm(), 1e-12);
+            for (int i = 0; i < n; ++i)
+                EXPECT_LT((x[static_cast<std::size_t>(i)] - expected.segment<3>(3 * i)).norm(), 1e-12);
             const auto size = static_cast<Eigen::Index>(3 * touching.size());
             Eigen::MatrixXd found(size, size);
             matrix.inverse_at(touching, found.data());
             for (std::size_t a = 0; a < touching.size(); ++a)
                 for (std::size_t b = 0; b < touching.size(); ++b)
-                    EXPECT_LT((found.block(3 * static_cast<int>(a), 3 * static_cast<int>(b), 3, 3) - inverse.block(3 * touching[a], 3 * touching[b], 3, 3)).norm(), 1e-12);
+                    EXPECT_LT((found.block(3 * static_cast<int>(a), 3 * static_cast<int>(b), 3, 3) -
+                               inverse.block(3 * touching[a], 3 * touching[b], 3, 3))
+                                  .norm(),
+                              1e-12);
         }
     }
 }
@@ -79,8 +97,8 @@ TEST(ChainMatrix, SaysWhenItIsNotPositive) {
     EXPECT_TRUE(matrix.factor(0.02));
 }
 
-// Every closed form of `carrel bench accuracy`, at the resolution where it must hold. Chains that swing take long; one tick is
-// enough here.
+// Every closed form of `carrel bench accuracy`, at the resolution where it must hold. Chains that swing take long; one
+// tick is enough here.
 TEST(Rod, AgreesWithClosedForms) {
     for (const app::bench::RodCase& c : app::bench::rod_cases()) {
         if (c.id == "swing-250us") continue;
@@ -95,14 +113,16 @@ TEST(Rod, HoldsCarryItsWeight) {
     Rod rod(def, nodes);
     const Hold ends[] = {{0, nodes[0]}, {50, nodes[50] - Vec3(0.02, 0, 0)}};
     RodReport report;
-    for (int i = 0; i < 50 && !(report = rod.step({ends}, 0, 50)).settled; ++i) {}
+    for (int i = 0; i < 50 && !(report = rod.step({ends}, 0, 50)).settled; ++i) {
+    }
     ASSERT_TRUE(report.settled);
     const double weight = 9.81 * def.mass_per_length() * 0.05;
     EXPECT_NEAR(rod.hold_force(0).z() + rod.hold_force(50).z(), weight, 50 * report.residual + 1e-9 * weight);
 }
 
-// Stiffness against stretch over that against bending from 1e3 to 1e7, a tool that jerks one end about at 300 mm/s, ticks of 1 ms:
-// every tick ends in balance, no link gives more than a rod so stiff does, and it comes to rest when the tool does.
+// Stiffness against stretch over that against bending from 1e3 to 1e7, a tool that jerks one end about at 300 mm/s,
+// ticks of 1 ms: every tick ends in balance, no link gives more than a rod so stiff does, and it comes to rest when the
+// tool does.
 TEST(Rod, SurvivesAnyStiffness) {
     for (const double ratio : {1e3, 1e5, 1e7}) {
         SCOPED_TRACE(ratio);
@@ -118,7 +138,8 @@ TEST(Rod, SurvivesAnyStiffness) {
             ASSERT_TRUE(report.settled) << tick << ", " << report.residual << " N left";
             moved = (rod.nodes()[50] - before).norm();
             // It never carries more than a hundredth of what bends a link by a radian; that stretches it by so little.
-            for (int k = 0; k < 100; ++k) ASSERT_LT(std::abs(rod.tension(k)) / rod.def().axial_stiffness(8.5e-5), 0.01 / ratio) << tick;
+            for (int k = 0; k < 100; ++k)
+                ASSERT_LT(std::abs(rod.tension(k)) / rod.def().axial_stiffness(8.5e-5), 0.01 / ratio) << tick;
         }
         EXPECT_LT(moved, 1e-3 * 4.25e-5);  // of its radius
     }
@@ -138,22 +159,26 @@ TEST(Rod, IsTheSameEveryTime) {
     EXPECT_EQ(play(), play());
 }
 
-// Euler and Eytelwein to the 5 % that links of 20 degrees may take, whatever the tick; 95 % of what slides is held for a second
-// without creeping by a millionth of the thickness, 105 % is not.
+// Euler and Eytelwein to the 5 % that links of 20 degrees may take, whatever the tick; 95 % of what slides is held for
+// a second without creeping by a millionth of the thickness, 105 % is not.
 TEST(Rod, SlidesOverACylinderAsACapstanDoes) {
     constexpr double pi = 3.14159265358979, degree = pi / 180;
-    for (const auto& [friction, wrap, tick] : {std::tuple(0.1, pi / 2, 1e-3), std::tuple(0.3, 2 * pi, 4e-3), std::tuple(0.2, 4 * pi, 4e-3)})
-        EXPECT_LT(std::abs(app::bench::rod_capstan(friction, wrap, 20 * degree, tick).error()), 0.05) << friction << ' ' << wrap;
+    for (const auto& [friction, wrap, tick] :
+         {std::tuple(0.1, pi / 2, 1e-3), std::tuple(0.3, 2 * pi, 4e-3), std::tuple(0.2, 4 * pi, 4e-3)})
+        EXPECT_LT(std::abs(app::bench::rod_capstan(friction, wrap, 20 * degree, tick).error()), 0.05)
+            << friction << ' ' << wrap;
     EXPECT_LT(app::bench::rod_slides(0.2, pi, 10 * degree, 0.95), 1e-6);
     EXPECT_GT(app::bench::rod_slides(0.2, pi, 10 * degree, 1.05), 1);
 }
 
-// With contacts solved once a tick: in ticks of 4 ms normals that stay where the tick began drag by 7 % more, and at friction 0.3 corners
-// of 20 degrees by 9 % less. Both halves of what is asked of a capstan would hide what is left, so less is asked for.
+// With contacts solved once a tick: in ticks of 4 ms normals that stay where the tick began drag by 7 % more, and at
+// friction 0.3 corners of 20 degrees by 9 % less. Both halves of what is asked of a capstan would hide what is left, so
+// less is asked for.
 TEST(ElasticThread, SlidesOverACylinderAsACapstanDoes) {
     constexpr double pi = 3.14159265358979, degree = pi / 180;
     for (const auto& [friction, tick] : {std::tuple(0.1, 4e-3), std::tuple(0.3, 1e-3), std::tuple(0.3, 4e-3)})
-        EXPECT_LT(std::abs(app::bench::elastic_capstan(friction, 4 * pi, 20 * degree, tick).error()), 0.03) << friction << ' ' << tick;
+        EXPECT_LT(std::abs(app::bench::elastic_capstan(friction, 4 * pi, 20 * degree, tick).error()), 0.03)
+            << friction << ' ' << tick;
 }
 
 }  // namespace rods

@@ -13,12 +13,14 @@ using sim::geometry::Triangle;
 using sim::geometry::TriangleTree;
 using sim::thread::MovingCapsule;
 
-constexpr int links = 20;  // of each piece; the first lies on a floor, the second hangs over it, across, from a tool at either end
+constexpr int links =
+    20;  // of each piece; the first lies on a floor, the second hangs over it, across, from a tool at either end
 const Vec3 nowhere = Vec3::Zero();
 constexpr double length = links * 2 * radius, floor_half = 2 * length;
 
 std::vector<Triangle> floor_at(double z) {
-    const Vec3 a(-floor_half, -floor_half, z), b(floor_half, -floor_half, z), c(floor_half, floor_half, z), d(-floor_half, floor_half, z);
+    const Vec3 a(-floor_half, -floor_half, z), b(floor_half, -floor_half, z), c(floor_half, floor_half, z),
+        d(-floor_half, floor_half, z);
     return {{a, b, c}, {a, c, d}};
 }
 
@@ -113,7 +115,8 @@ TEST(Sleep, AFloorThatSinksTakesItAlong) {
     const double way = 4 * radius;
     for (int i = 0; i < 200; ++i) scene.step(nowhere, nowhere, way / 200);
     scene.rest(500);
-    for (const Vec3& p : scene.lying()) EXPECT_NEAR(p.z(), radius - way, 0.25 * radius);  // so far it may sink unnoticed
+    for (const Vec3& p : scene.lying())
+        EXPECT_NEAR(p.z(), radius - way, 0.25 * radius);  // so far it may sink unnoticed
     EXPECT_TRUE(scene.sleeps());
 }
 

@@ -1,4 +1,5 @@
-// Follow-The-Leader over walls: what is drawn with its other end free slides along itself, and is pulled at by friction alone.
+// Follow-The-Leader over walls: what is drawn with its other end free slides along itself, and is pulled at by friction
+// alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,9 @@ using sim::thread::ThreadDef;
 constexpr double radius = 0.0425e-3, tube = 2e-3, link = 0.3e-3, lag = 10 * radius;  // [m]
 constexpr double pi = std::numbers::pi, friction = 0.15;
 
-Vec3 on_circle(double r, double angle) { return {0, r * std::cos(angle), r * std::sin(angle)}; }
+Vec3 on_circle(double r, double angle) {
+    return {0, r * std::cos(angle), r * std::sin(angle)};
+}
 
 // Along x.
 std::vector<Triangle> cylinder() {
@@ -55,7 +58,8 @@ struct Hand {
     sim::geometry::TriangleTree wall{cylinder()};
     int passes = 0;
 
-    explicit Hand(double tail = 30e-3, bool with_other = false) : thread(half_round(tail, with_other)), held(thread.pieces().front().last) {}
+    explicit Hand(double tail = 30e-3, bool with_other = false)
+        : thread(half_round(tail, with_other)), held(thread.pieces().front().last) {}
 
     // Down by `way` a tick, and wants to be `ahead` of where the thread lets it come.
     void draw(int ticks, double way, double ahead = lag) {
@@ -63,7 +67,8 @@ struct Hand {
             const Vec3 at = thread.nodes()[static_cast<std::size_t>(held)], down(0, 0, -1);
             const Hold hold{.node = held, .target = at + way * down, .wanted = at + (way + ahead) * down};
             const int owner = -1;
-            passes += thread.tick({.holds = {&hold, 1}, .hold_owners = {&owner, 1}, .capsules = {}, .surface = &wall}).pass_throughs;
+            passes += thread.tick({.holds = {&hold, 1}, .hold_owners = {&owner, 1}, .capsules = {}, .surface = &wall})
+                          .pass_throughs;
         }
     }
     double at_hand() const { return thread.tension()[static_cast<std::size_t>(held) - 1]; }

@@ -28,11 +28,13 @@ std::vector<Vec3> strand(int links, double link) {
 // Every other link halved, as where a thread bends.
 std::vector<Vec3> unequal_strand() {
     std::vector<Vec3> points{{0, 0, 0}};
-    for (const double link : {0.5e-3, 0.25e-3, 0.25e-3, 0.5e-3, 0.25e-3, 0.25e-3, 0.5e-3}) points.emplace_back(points.back().x() + link, 0, 0);
+    for (const double link : {0.5e-3, 0.25e-3, 0.25e-3, 0.5e-3, 0.25e-3, 0.25e-3, 0.5e-3})
+        points.emplace_back(points.back().x() + link, 0, 0);
     return points;
 }
 
-// A strand squeezed by two walls on springs, as one is between the lips of a bite. A wall is what `shape` makes of how far it is up, all triangles of it.
+// A strand squeezed by two walls on springs, as one is between the lips of a bite. A wall is what `shape` makes of how
+// far it is up, all triangles of it.
 struct Vice {
     using Wall = std::vector<Triangle>;
     struct Def {
@@ -56,8 +58,14 @@ struct Vice {
         const std::array holds{Hold{0, def.line.front()}, Hold{static_cast<int>(def.line.size()) - 1, def.line.back()}};
         const std::array owners{-1, -1};
         const std::size_t held = def.is_free ? 1 : 2, half = static_cast<std::size_t>(walls.size()) / 2;
-        thread.tick({.holds = std::span(holds).first(held), .hold_owners = std::span(owners).first(held), .capsules = {}, .surface = &walls, .surface_moved = moved,
-                     .sheathed = {}, .soft_from = 0, .soft_give = wall_gives});
+        thread.tick({.holds = std::span(holds).first(held),
+                     .hold_owners = std::span(owners).first(held),
+                     .capsules = {},
+                     .surface = &walls,
+                     .surface_moved = moved,
+                     .sheathed = {},
+                     .soft_from = 0,
+                     .soft_give = wall_gives});
         std::array<double, 2> pushed{}, deeper{}, places{};
         for (const auto& force : thread.surface_forces()) {
             const std::size_t k = static_cast<std::size_t>(force.triangle) / half;
@@ -67,9 +75,11 @@ struct Vice {
         moved = 0;
         for (std::size_t k = 0; k < 2; ++k) {
             if (pushed[k] > 0) deeper[k] /= pushed[k];
-            // Implicitly, against its spring and what it takes the strand for, from where that is; nearer by no more than it may.
+            // Implicitly, against its spring and what it takes the strand for, from where that is; nearer by no more
+            // than it may.
             const double reckoned = std::max(5000.0, places[k] / wall_gives);  // [N/m]
-            const double way = (pushed[k] + reckoned * deeper[k] - def.squeeze - def.spring * (out[k] - radius)) / (def.spring + reckoned);
+            const double way = (pushed[k] + reckoned * deeper[k] - def.squeeze - def.spring * (out[k] - radius)) /
+                               (def.spring + reckoned);
             const double goes = std::max(way, -0.45 * std::max(0.0, out[k] - 0.6 * radius));
             out[k] += goes, moved = std::max(moved, std::abs(goes));
         }
@@ -102,34 +112,39 @@ Vice::Wall plate(double z, double strip) {
     return wall;
 }
 
-// By the springs' law, whatever they are. Were the edges taken for rigid by the strand, which is 2 N a um stiff to them, it would be thrown to and fro between
-// them, and pressed with up to 65 times as much.
+// By the springs' law, whatever they are. Were the edges taken for rigid by the strand, which is 2 N a um stiff to
+// them, it would be thrown to and fro between them, and pressed with up to 65 times as much.
 TEST(SoftWalls, PressAStrandBetweenThemWithWhatTheyAreDrawnBy) {
     for (const double spring : {100, 1000})
         for (const double squeeze : {0.01, 0.05, 0.2}) {
             Vice vice({strand(3, 0.5e-3), edge, 0, spring, squeeze, false});
             for (int t = 0; t < 200; ++t) vice.tick();
             for (int t = 0; t < 100; ++t)
-                for (const double pushed : vice.tick()) EXPECT_NEAR(pushed, squeeze, 1e-3 * squeeze) << spring << " N/m";
-            for (const double out : vice.out) EXPECT_NEAR(out, radius, 1e-3 * radius) << spring << " N/m";  // the contact's own 0.1 um at 0.2 N
+                for (const double pushed : vice.tick())
+                    EXPECT_NEAR(pushed, squeeze, 1e-3 * squeeze) << spring << " N/m";
+            for (const double out : vice.out)
+                EXPECT_NEAR(out, radius, 1e-3 * radius) << spring << " N/m";  // the contact's own 0.1 um at 0.2 N
         }
 }
 
-// However fine walls and strand are, with an end free or both held. Shown the nearest place of each link alone, which goes from end to end of it, it tumbled by
-// up to 0.3 mm a tick; and 23 places that each take the wall for 1000 N/m, where that takes them for 5000 in all, throw it to and fro.
+// However fine walls and strand are, with an end free or both held. Shown the nearest place of each link alone, which
+// goes from end to end of it, it tumbled by up to 0.3 mm a tick; and 23 places that each take the wall for 1000 N/m,
+// where that takes them for 5000 in all, throw it to and fro.
 TEST(SoftWalls, LeaveAStrandStillThatLiesFlatBetweenThem) {
     constexpr double still = 0.02 * 2 * radius;  // a tick; a free end slides along what holds it by friction alone
     for (const auto& line : {strand(22, 0.1e-3), strand(9, 0.25e-3), strand(5, 0.5e-3), unequal_strand()})
         for (const double strip : {far, 0.3e-3})
             for (const double squeeze : {0.01, 0.2})
                 for (const bool is_free : {true, false}) {
-                    SCOPED_TRACE(std::to_string(line.size() - 1) + " links, strips of " + std::to_string(strip) + " m, " + std::to_string(squeeze) + " N" + (is_free ? ", free" : ""));
+                    SCOPED_TRACE(std::to_string(line.size() - 1) + " links, strips of " + std::to_string(strip) +
+                                 " m, " + std::to_string(squeeze) + " N" + (is_free ? ", free" : ""));
                     Vice vice({line, plate, strip, 500, squeeze, is_free});
                     for (int t = 0; t < 300; ++t) vice.tick();
                     for (int t = 0; t < 50; ++t) {
                         const std::vector<Vec3> before(vice.thread.nodes().begin(), vice.thread.nodes().end());
                         for (const double pushed : vice.tick()) ASSERT_NEAR(pushed, squeeze, 1e-3 * squeeze);
-                        for (std::size_t i = 0; i < before.size(); ++i) ASSERT_LT((vice.thread.nodes()[i] - before[i]).norm(), still);
+                        for (std::size_t i = 0; i < before.size(); ++i)
+                            ASSERT_LT((vice.thread.nodes()[i] - before[i]).norm(), still);
                     }
                 }
 }
