@@ -7,10 +7,11 @@ if(NOT ROOT)
 endif()
 
 # Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room.
-set(rooms sim/geometry sim/thread sim/knot tissue instruments assets
+set(rooms sim/geometry sim/rod sim/thread sim/knot tissue instruments assets
     scenarios/world scenarios/drill scenarios/recording app)
 set(values sim/geometry/ instruments/tool[.]hpp)  # what a drill or a recording is made of: points, poses and jaws
-set(sim/thread_sees sim/geometry/)
+set(sim/rod_sees sim/geometry/)
+set(sim/thread_sees sim/geometry/ sim/rod/)
 set(sim/knot_sees sim/geometry/)
 set(tissue_sees sim/geometry/)
 set(instruments_sees sim/geometry/)

@@ -20,13 +20,13 @@
 #include "app/bench/thread_rope.hpp"
 #include "app/bench/tight_elastic.hpp"
 #include "app/bench/words.hpp"
-#include "sim/thread/rod.hpp"
+#include "sim/rod/rod.hpp"
 
 namespace app::bench {
 
 namespace {
 
-using sim::thread::Rod;
+using sim::rod::Rod;
 using sim::thread::RodDef;
 using sim::thread::Vec3;
 

@@ -11,14 +11,14 @@
 #include "app/bench/defaults.hpp"
 #include "app/bench/shape.hpp"
 #include "app/bench/words.hpp"
-#include "sim/thread/rod.hpp"
+#include "sim/rod/rod.hpp"
 
 namespace app::bench {
 
 namespace {
 
+using sim::rod::Rod;
 using sim::thread::Hold;
-using sim::thread::Rod;
 using sim::thread::RodDef;
 using sim::thread::Thread;
 

@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "app/bench/capstan.hpp"
-#include "sim/thread/rod.hpp"
+#include "sim/rod/rod.hpp"
 
 namespace app::bench {
 
 namespace {
 
-using sim::thread::Rod;
+using sim::rod::Rod;
 using sim::thread::Vec3;
 
 using std::numbers::pi;

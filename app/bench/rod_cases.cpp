@@ -4,14 +4,14 @@
 #include <numbers>
 
 #include "sim/geometry/resample.hpp"
-#include "sim/thread/rod.hpp"
+#include "sim/rod/rod.hpp"
 
 namespace app::bench {
 
 namespace {
 
+using sim::rod::Rod;
 using sim::thread::Hold;
-using sim::thread::Rod;
 using sim::thread::RodDef;
 using sim::thread::Vec3;
 
@@ -41,7 +41,7 @@ std::vector<Vec3> straight(int links, double length, double from = 0) {
     return nodes;
 }
 
-void settle(Rod& rod, const sim::thread::RodInput& input) {
+void settle(Rod& rod, const sim::rod::RodInput& input) {
     constexpr int tries = 20;
     for (int i = 0; i < tries && !rod.step(input, 0).settled; ++i) {
     }

@@ -7,13 +7,17 @@
 
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/triangle_tree.hpp"
-#include "sim/thread/band.hpp"
-#include "sim/thread/link_tree.hpp"
-#include "sim/thread/rod.hpp"
+#include "sim/rod/rod.hpp"
+#include "sim/thread/contact/link_tree.hpp"
+#include "sim/thread/ftl/band.hpp"
 #include "sim/thread/thread.hpp"
 
 // What the stages of a tick share. Private to sim/thread.
 namespace sim::thread {
+
+using rod::Pair;
+using rod::Rod;
+using rod::Rolling;
 
 enum class Against : std::uint8_t { thread, capsule, surface };
 
@@ -202,17 +206,16 @@ struct State {
     std::vector<double> bound;          ///< How far each node may move in this substep [m].
     std::vector<double> room_at_walls;  ///< Scratch: per node, what is free between its links and walls [m].
     std::vector<Capsule> capsules, capsules_before;
-    std::vector<Row> rows;       ///< Contacts that can touch in this substep,
-    std::vector<Row*> on_steel;  ///< and those of them that glide, one a link, increasing.
-    std::vector<int> kept;       ///< Nodes that are held in this substep because they press.
+    std::vector<Row> rows;      ///< Contacts that can touch in this substep,
+    std::vector<int> on_steel;  ///< and which of them glide, one a link, increasing.
+    std::vector<int> kept;      ///< Nodes that are held in this substep because they press.
 
     // Carried from tick to tick.
-    std::vector<Contact> contacts;  ///< Every pair within `reach` when last detected: strands, then tools, then walls.
-    double reach = 0;               ///< [m]
-    double moved = 0;               ///< Sum of largest node moves (and tool moves) since then [m].
-    bool is_rest_due = false;       ///< Only tools have been looked at since.
-    std::vector<int> seen;          ///< Holds, owners and capsules that the contacts were detected for ...
-    const void* seen_surface = nullptr;
+    std::vector<Contact> contacts;   ///< Every pair within `reach` when last detected: strands, then tools, then walls.
+    double reach = 0;                ///< [m]
+    double moved = 0;                ///< Sum of largest node moves (and tool moves) since then [m].
+    bool is_rest_due = false;        ///< Only tools have been looked at since.
+    std::vector<int> seen;           ///< Holds, owners, capsules and size of the surface that the contacts are for.
     std::vector<Vec3> drift;         ///< How each node moved in the last substep [m] ...
     double drift_way = 0;            ///< ... while held nodes or tools went this far [m].
     std::vector<double> following;   ///< Per node: of that way, how much it went, drift and all.

@@ -1,6 +1,6 @@
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
-#include "sim/thread/press.hpp"
+#include "sim/thread/elastic/press.hpp"
 
 namespace sim::thread {
 

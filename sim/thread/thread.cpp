@@ -104,6 +104,10 @@ Thread::Thread(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const in
 Thread::~Thread() {
     delete impl_;
 }
+Thread::Thread(const Thread& other) : impl_(other.impl_ ? new Impl(*other.impl_) : nullptr) {}
+Thread& Thread::operator=(const Thread& other) {
+    return *this = Thread(other);
+}
 Thread::Thread(Thread&& other) noexcept : impl_(std::exchange(other.impl_, nullptr)) {}
 Thread& Thread::operator=(Thread&& other) noexcept {
     std::swap(impl_, other.impl_);

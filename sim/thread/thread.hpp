@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/geometry/shapes.hpp"
-#include "sim/thread/rod_def.hpp"
+#include "sim/geometry/moving.hpp"
+#include "sim/rod/rod_def.hpp"
 
 namespace sim::geometry {
 class TriangleTree;
@@ -15,7 +15,10 @@ class TriangleTree;
 namespace sim::thread {
 
 using geometry::Capsule;
+using geometry::Hold;
+using geometry::MovingCapsule;
 using geometry::Vec3;
+using rod::RodDef;
 
 /// What a thread is. SI; n links between n + 1 nodes.
 struct ThreadDef {
@@ -30,21 +33,6 @@ struct ThreadDef {
         0;  ///< Elastic only: where the steps of a tick have pressed on so many together, tools wait with what is
             ///< left of their motion, for a shorter longest tick; 0: for nothing but the steps themselves.
     std::optional<RodDef> elastic = {};  ///< Moves as this, of `radius`; else by Follow-The-Leader.
-};
-
-/// A node held by somebody, and where it should be at the end of the tick.
-struct Hold {
-    int node;
-    Vec3 target;           ///< [m]
-    Vec3 wanted = target;  ///< Where its tool would have it in the end [m]; what it lacks of that is tension.
-    bool slides = false;   ///< Elastic: to `start`, where its tool has it as the tick begins [m], even if tools wait.
-    Vec3 start = Vec3::Zero();
-};
-
-/// A tool part during one tick: end points move linearly, the radius is that of `from`.
-struct MovingCapsule {
-    Capsule from, to;
-    int owner = 0;  ///< Which tool; a link with both nodes held by the same owner is not tested against it.
 };
 
 /// What enters one tick. Nodes appear in `holds` at most once.
@@ -107,6 +95,9 @@ class Thread {
     /// next to each other, the first or the last, that are none: the thread is several from the start.
     Thread(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts = {});
     ~Thread();
+    /// A copy goes on as the original would, bit for bit, given the same inputs; its first ticks may allocate.
+    Thread(const Thread&);
+    Thread& operator=(const Thread&);
     Thread(Thread&&) noexcept;
     Thread& operator=(Thread&&) noexcept;
 

@@ -4,10 +4,11 @@
 
 #include <numeric>
 
-#include "sim/thread/rod.hpp"
+#include "sim/rod/rod.hpp"
 #include "tests/sim/thread/scene.hpp"
 
 using namespace sim::thread;
+using sim::rod::Rod;
 using app::bench::polypropylene_yield;
 using app::bench::springback;
 

@@ -1,0 +1,218 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/geometry/moving.hpp"
+#include "sim/rod/chain_matrix.hpp"
+#include "sim/rod/rod_def.hpp"
+
+namespace sim::rod {
+
+using geometry::Capsule;
+using geometry::Hold;
+using geometry::MovingCapsule;
+using geometry::Vec3;
+
+/// What acts on a rod during one step.
+struct RodInput {
+    std::span<const Hold> holds;       ///< Nodes that go where they are put.
+    std::span<const Vec3> loads = {};  ///< Force on each node [N], or none.
+    std::span<const MovingCapsule> bodies =
+        {};  ///< What nodes rest on and slide over, the same ones in every step; in step() alone.
+    /// How far the cross-section of the last link has been turned against that of the first about the rod, beyond what
+    /// they were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
+    std::optional<double> turn = {};
+    /// Force that may stay unbalanced at a node [N]; nothing: fifty times what the rounding of its place does to the
+    /// stiffest link.
+    std::optional<double> tolerance = {};
+    std::span<const char> asleep =
+        {};  ///< Per node: whether it stays where it is, as held nodes do that go nowhere; or none.
+};
+
+/// A force between two points of the rod, or on a point of it.
+struct Pair {
+    std::array<int, 4> node{};  ///< Its points lie apart by the sum of weight * node, and what is not the rod's.
+    std::array<double, 4> weight{};
+    int nodes = 0;
+    Vec3 force = Vec3::Zero();  ///< On what has positive weight [N].
+};
+
+/// A link that rolls on what it is pressed against: turning it towards the normal moves where it touches, and that
+/// turns it back.
+struct Rolling {
+    int link;
+    Vec3 normal;
+    double moment;  ///< For a turn by 1 rad [N m].
+};
+
+/// What a step came to.
+struct RodReport {
+    int iterations = 0;   ///< Newton steps.
+    double residual = 0;  ///< Largest force on a node that is left unbalanced [N].
+    /// Any small move would cost energy: it is not about to buckle. Told of it as if its natural bends were straight:
+    /// false does not mean that one which keeps sharp bends would move.
+    bool stable = true;
+    bool settled = true;  ///< Stable, and balanced within the tolerance.
+};
+
+/// A bending, twisting, practically inextensible rod: discrete elastic rods (Bergou, Wardetzky, Robinson, Audoly and
+/// Grinspun 2008) of round cross-section, untwisted when unloaded, and straight but for what RodDef keeps. Twist
+/// spreads evenly at once, as it does in so thin a rod (their section 5), so that nodes alone are unknown. One step of
+/// implicit Euler, by Newton's method on its energy with a direct solve (ChainMatrix): stable at any step and any
+/// stiffness. Cost: O(n) an iteration, and O(m^3) for m nodes that touch.
+class Rod {
+  public:
+    /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
+    Rod(const RodDef& def, std::vector<Vec3> nodes);
+
+    /// Everything in `input` must be finite and nodes exist; the caller sees to that.
+    /// One step of `seconds`, or with density 0 or no time to the equilibrium, in at most `most` iterations; with none
+    /// it only says whether the rod is in one, and a stable one.
+    RodReport step(const RodInput& input, double seconds, int most = 20);
+
+    /// The same in stages, for who knows what the rod touches. `input.holds` say which nodes are held.
+    void begin(const RodInput& input, double seconds);
+    /// The step to where it and these forces balance to first order, with held nodes going to `targets`.
+    void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling);
+    /// Its inverse is what a unit force on nodes moves them by [m/N].
+    ChainMatrix& matrix() { return matrix_; }
+    /// The step so far [m].
+    std::span<const Vec3> step_found() const { return newton_; }
+    /// Adds what these forces on all nodes [N] change about the step.
+    void add_forces(const std::vector<Vec3>& forces);
+    /// What of the step pulls or pushes no link harder than `most` [N].
+    double share_within(double most);
+    /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within
+    /// `bound` of where it is in `from`; returns what it made.
+    double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
+    void end();
+
+    /// Between steps: a link made two, and two links made one where they meet; nodes between two left out, with a cut
+    /// instead, of length 0. resize() after the last of them. A rod that is cut goes by stages alone and carries no
+    /// twist.
+    void split(std::size_t link, double share);
+    void leave_out(std::size_t first, std::size_t second);
+    void join_at(std::size_t node);
+    void resize();
+    void reserve(std::size_t links);
+
+    const RodDef& def() const { return def_; }
+    std::span<const Vec3> nodes() const { return now_.nodes; }
+    std::span<const Vec3> velocity() const { return now_.velocity; }  ///< [m/s]
+    std::span<const double> rest_lengths() const { return rest_; }
+    std::span<const double> natural_bends() const {
+        return natural_;
+    }                                 ///< Of each node when unloaded, as the difference of its links' tangents.
+    double tension(int link) const;   ///< [N], negative where it is pushed together; 0 of a cut.
+    double twist_moment() const;      ///< [N m], the same all along.
+    Vec3 hold_force(int node) const;  ///< What a hold pulled with in the last step [N].
+    double twist() const {
+        return now_.twist;
+    }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
+
+    /// A node and a body that are near each other.
+    struct Touch {
+        int node, body;
+        double push;       ///< [N] along the normal.
+        Vec3 anchor;       ///< Where it would come to rest without other forces [m].
+        double limit = 0;  ///< Of its friction in this step [N].
+    };
+    std::span<const Touch> touches() const { return now_.touches; }
+
+  private:
+    /// All of it, or what is positive of it whatever the shape: without how forces turn with the nodes.
+    enum class Keep { whole, positive };
+    struct Link {
+        Vec3 along;     // unit tangent
+        double length;  // [m]
+        // Of the energy: its derivative by this link's vector, and its second derivative own I + aside along^T + along
+        // aside^T.
+        Vec3 pull, aside;
+        double own;
+    };
+    bool is_cut(std::size_t link) const { return rest_[link] == 0; }
+    static void measure(const std::vector<Vec3>& x, std::vector<Link>& links);
+    double energy_of(const std::vector<Link>& links) const;
+
+    Vec3 from_axis(const Touch& touch, const Vec3& x) const;
+    /// Of a touch with its node at x: what it pushes with [N] and where to, and how far it slipped from its anchor [m].
+    struct Pressed {
+        double push;
+        Vec3 normal, slip;
+    };
+    Pressed pressed(const Touch& touch, const Vec3& x) const;
+    void find_touches(std::span<const MovingCapsule> bodies);
+    void add_contact();
+    double contact_energy(const std::vector<Vec3>& x) const;
+    void settle_touches();
+    std::array<Vec3, 2> directors_at(const std::vector<Vec3>& x) const;
+    Vec3 along_rod(Vec3 across, const std::vector<Vec3>& x) const;
+    double twist_at(const std::vector<Vec3>& x) const;
+    double energy(const std::vector<Vec3>& x, std::vector<Link>& links);
+    void assemble(Keep keep, std::span<const Pair> pairs = {}, std::span<const Rolling> rolling = {});
+    void add_stretch(Keep keep);
+    void add_bending(Keep keep);
+    ChainMatrix::Block cross(std::size_t link) const;
+    void spread_to_nodes();
+    void add_twist();
+    void find_twist_gradient();
+    void add_pairs(std::span<const Pair> pairs);
+    void add_rolling(std::span<const Rolling> rolling);
+    Keep factor();
+    void find_newton_step();
+    double unbalanced() const;
+    bool foresaw_tensions();
+    void lead(std::span<const Hold> targets);
+    bool is_settled(RodReport& report);
+    double improve();
+    void spread_between_held(std::vector<Vec3>& x) const;
+    double largest_turn() const;
+    bool pulls_within(const std::vector<Vec3>& x) const;
+    void foresee_tensions();
+    void try_share(double share);
+    void take_trial(double share);
+    double go();
+    void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
+    void accept(const std::vector<Vec3>& x);
+
+    void find_inert();
+    void find_velocity();
+    void take_set();
+    void hand_on_natural_bend(std::size_t node);
+    RodReport step_in_parts(const RodInput& input, double seconds, int most, int halvings);
+    RodReport try_step(const RodInput& input, double seconds, int most);
+
+    RodDef def_;
+    std::vector<double> rest_, mass_;    // per link [m], per node [kg]
+    std::vector<double> inert_;          // what of the mass has inertia in this step [kg]
+    std::vector<double> natural_;        // bend of an unloaded node, as the difference of tangents
+    double twisted_length_ = 0;          // [m]
+    double softest_ = 0, stiffest_ = 0;  // [N/m] added to every node, and of a link against stretch
+    double stiff_ = 0;                   // [N/m] of contact
+
+    /// What a step starts from.
+    struct Moving {
+        std::vector<Vec3> nodes, velocity;
+        std::vector<double> tension;    // foreseen [N]
+        std::array<Vec3, 2> directors;  // across the first and the last link
+        double turned = 0, twist = 0;   // of the directors along the rod, and with what the ends were turned [rad]
+        std::vector<Touch> touches;
+    } now_;
+
+    // Of the step that is being made.
+    std::vector<Vec3> due_;  // ways of held nodes, where there are any [m]
+    std::vector<Vec3> start_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
+    std::vector<char> held_;
+    std::optional<double> turn_;
+    double inertia_ = 0;  // [1/s^2]
+    std::vector<MovingCapsule> bodies_;
+    double seconds_ = 0, tolerance_ = 0;
+    std::vector<Link> links_, tried_;
+    std::vector<double> foreseen_, lengths_, pivot_, upper_, shorten_;
+    ChainMatrix matrix_;
+};
+
+}  // namespace sim::rod
