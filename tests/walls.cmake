@@ -6,12 +6,16 @@ if(NOT ROOT)
   get_filename_component(ROOT "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 endif()
 
-# Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room.
-set(rooms sim/geometry sim/rod sim/thread sim/knot tissue instruments assets
+# Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room. A room within
+# another comes before it: a file is of the first room that its path begins with.
+set(rooms sim/geometry sim/rod sim/thread/contact sim/thread/ftl sim/thread/elastic sim/thread sim/knot tissue instruments assets
     scenarios/world scenarios/drill scenarios/recording app)
 set(values sim/geometry/ instruments/tool[.]hpp)  # what a drill or a recording is made of: points, poses and jaws
 set(sim/rod_sees sim/geometry/)
-set(sim/thread_sees sim/geometry/ sim/rod/)
+set(sim/thread/contact_sees sim/geometry/ sim/thread/def[.]hpp)
+set(sim/thread/ftl_sees sim/geometry/ sim/thread/contact/ sim/thread/def[.]hpp)  # and not sim/thread/elastic
+set(sim/thread/elastic_sees sim/geometry/ sim/rod/ sim/thread/contact/ sim/thread/def[.]hpp)  # and not sim/thread/ftl
+set(sim/thread_sees sim/geometry/ sim/rod/ sim/thread/)
 set(sim/knot_sees sim/geometry/)
 set(tissue_sees sim/geometry/)
 set(instruments_sees sim/geometry/)
@@ -56,17 +60,27 @@ function(crossing file text what)
   set(crossings ${crossings} PARENT_SCOPE)
 endfunction()
 
-function(check_room_include file room header)
-  foreach(other IN LISTS rooms)
-    if(header MATCHES "^${other}/" AND NOT other STREQUAL room)
-      foreach(seen IN LISTS ${room}_sees)
-        if(header MATCHES "^${seen}")
-          return()
-        endif()
-      endforeach()
-      crossing("${file}" "${header}" "${room} may not include ${other}")
+# Into `result` the room that a path is of; none: nothing.
+function(room_of path result)
+  foreach(room IN LISTS rooms)
+    if(path MATCHES "^${room}/")
+      set(${result} "${room}" PARENT_SCOPE)
+      return()
     endif()
   endforeach()
+  set(${result} "" PARENT_SCOPE)
+endfunction()
+
+function(check_room_include file room header)
+  room_of("${header}" other)
+  if(other AND NOT other STREQUAL room)
+    foreach(seen IN LISTS ${room}_sees)
+      if(header MATCHES "^${seen}")
+        return()
+      endif()
+    endforeach()
+    crossing("${file}" "${header}" "${room} may not include ${other}")
+  endif()
   set(crossings ${crossings} PARENT_SCOPE)
 endfunction()
 
@@ -96,6 +110,10 @@ set(checked 0)
 foreach(room IN LISTS rooms)
   file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${room}/*.hpp" "${ROOT}/${room}/*.h" "${ROOT}/${room}/*.cpp")
   foreach(file IN LISTS files)
+    room_of("${file}" own)
+    if(NOT own STREQUAL room)  # of a room within this one
+      continue()
+    endif()
     math(EXPR checked "${checked} + 1")
     file(READ "${ROOT}/${file}" content)
     string(REGEX REPLACE "[][;\\]" " " content "${content}")  # these have a meaning of their own in CMake's lists

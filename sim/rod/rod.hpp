@@ -122,6 +122,11 @@ class Rod {
     };
     std::span<const Touch> touches() const { return now_.touches; }
 
+    /// Calls visit(number) for every number that a step starts from: shape, speed, tensions, twist, touches and what it
+    /// is when unloaded, always in the same order.
+    template <class Visit>
+    void for_all_carried(Visit visit) const;
+
   private:
     /// All of it, or what is positive of it whatever the shape: without how forces turn with the nodes.
     enum class Keep { whole, positive };
@@ -214,5 +219,20 @@ class Rod {
     std::vector<double> foreseen_, lengths_, pivot_, upper_, shorten_;
     ChainMatrix matrix_;
 };
+
+template <class Visit>
+void Rod::for_all_carried(Visit visit) const {
+    const auto visit_vector = [&](const Vec3& v) { visit(v.x()), visit(v.y()), visit(v.z()); };
+    for (const auto* of_nodes : {&now_.nodes, &now_.velocity})
+        for (const Vec3& v : *of_nodes) visit_vector(v);
+    for (const auto* numbers : {&rest_, &natural_, &now_.tension})
+        for (const double number : *numbers) visit(number);
+    for (const Vec3& director : now_.directors) visit_vector(director);
+    visit(now_.turned), visit(now_.twist);
+    for (const Touch& touch : now_.touches) {
+        visit(touch.node), visit(touch.body), visit(touch.push), visit(touch.limit);
+        visit_vector(touch.anchor);
+    }
+}
 
 }  // namespace sim::rod

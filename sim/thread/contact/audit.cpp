@@ -1,12 +1,15 @@
+#include "sim/thread/contact/audit.hpp"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "sim/thread/stages.hpp"
+#include "sim/geometry/triangle_tree.hpp"
 
 // An independent witness: it knows nothing of contacts, reach or bounds, only where every link was and is. Two segments
 // whose ends move linearly can pass through each other only when the four ends are coplanar, so the volume they span,
 // a cubic in time, has a root at which the segments meet ([Provot1997] for cloth edges).
-namespace sim::thread {
+namespace sim::thread::contact {
 
 namespace {
 
@@ -94,59 +97,85 @@ bool pierces(const Moving& p, const geometry::Triangle& tri) {
     return through(p.a0, p.a1) || through(p.a1, p.b1);
 }
 
+/// Where each link was and is.
+Moving link_of(const State& state, int i) {
+    const auto k = static_cast<std::size_t>(i);
+    return {state.before[k], state.before[k + 1], state.nodes[k], state.nodes[k + 1]};
+}
+
+constexpr int block = 8;  // links, whose boxes are joined in one
+
 }  // namespace
 
-int audit(const State& state) {
-    // Links in blocks of eight: boxes of blocks first, then of links. Plain and separate from the link tree.
-    constexpr int block = 8;
-    const int n = state.links(), blocks = (n + block - 1) / block;
-    const auto link = [&](int i) {
-        const auto k = static_cast<std::size_t>(i);
-        return Moving{state.before[k], state.before[k + 1], state.nodes[k], state.nodes[k + 1]};
-    };
-    std::vector<Box>&boxes = state.audit_boxes, &swept_by = state.audit_links;
-    boxes.assign(static_cast<std::size_t>(blocks), Box{});
-    swept_by.resize(static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i) {
-        swept_by[static_cast<std::size_t>(i)] = {};
-        if (state.is_cut(static_cast<std::size_t>(i))) continue;  // nothing: meets nothing
-        swept_by[static_cast<std::size_t>(i)] = link(i).swept();
-        boxes[static_cast<std::size_t>(i / block)].include(swept_by[static_cast<std::size_t>(i)]);
-    }
+Audit::Audit(std::size_t most_links) {
+    for (auto* boxes : {&boxes_, &swept_by_}) boxes->reserve(most_links);
+}
 
+// Links in blocks of eight: boxes of blocks first, then of links. Plain and separate from the link tree.
+int Audit::count_pass_throughs(const State& state) {
+    measure(state);
+    return count_strands(state) + count_capsules(state) + count_surface(state);
+}
+
+void Audit::measure(const State& state) {
+    const int n = state.links(), blocks = (n + block - 1) / block;
+    boxes_.assign(static_cast<std::size_t>(blocks), Box{});
+    swept_by_.resize(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+        swept_by_[static_cast<std::size_t>(i)] = {};
+        if (state.is_cut(static_cast<std::size_t>(i))) continue;  // nothing: meets nothing
+        swept_by_[static_cast<std::size_t>(i)] = link_of(state, i).swept();
+        boxes_[static_cast<std::size_t>(i / block)].include(swept_by_[static_cast<std::size_t>(i)]);
+    }
+}
+
+int Audit::count_strands(const State& state) const {
+    const int n = state.links(), blocks = static_cast<int>(boxes_.size());
     int met = 0;
     for (int p = 0; p < blocks; ++p)
         for (int q = p; q < blocks; ++q) {
-            if (apart(boxes[static_cast<std::size_t>(p)], boxes[static_cast<std::size_t>(q)])) continue;
+            if (apart(boxes_[static_cast<std::size_t>(p)], boxes_[static_cast<std::size_t>(q)])) continue;
             for (int i = p * block; i < std::min(n, (p + 1) * block); ++i) {
-                const Box& swept = swept_by[static_cast<std::size_t>(i)];
+                const Box& swept = swept_by_[static_cast<std::size_t>(i)];
                 for (int j = std::max(i + 2, q * block); j < std::min(n, (q + 1) * block); ++j)
-                    if (!(sleeps(state, i) && sleeps(state, j)) && !apart(swept, swept_by[static_cast<std::size_t>(j)]))
-                        met += crossings(link(i), link(j));
-            }
-        }
-    for (std::size_t c = 0; c < state.capsules.size(); ++c) {
-        const Capsule &from = state.capsules_before[c], &to = state.capsules[c];
-        const Moving core{from.a, from.b, to.a, to.b};
-        const Box swept = core.swept();
-        for (int p = 0; p < blocks; ++p) {
-            if (apart(boxes[static_cast<std::size_t>(p)], swept)) continue;
-            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
-                if (!apart(swept_by[static_cast<std::size_t>(i)], swept)) met += crossings(link(i), core);
-        }
-    }
-    if (state.input.surface)
-        for (int p = 0; p < blocks; ++p) {
-            state.audit_found.clear();
-            state.input.surface->near(boxes[static_cast<std::size_t>(p)], state.audit_found);
-            for (const int t : state.audit_found) {
-                const geometry::Triangle& tri = (*state.input.surface)[t];
-                const Box box = box_of(tri);
-                for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
-                    if (!apart(box, swept_by[static_cast<std::size_t>(i)])) met += pierces(link(i), tri);
+                    if (!(state.sleeps(i) && state.sleeps(j)) && !apart(swept, swept_by_[static_cast<std::size_t>(j)]))
+                        met += crossings(link_of(state, i), link_of(state, j));
             }
         }
     return met;
 }
 
-}  // namespace sim::thread
+int Audit::count_capsules(const State& state) const {
+    const int n = state.links(), blocks = static_cast<int>(boxes_.size());
+    int met = 0;
+    for (std::size_t c = 0; c < state.capsules.size(); ++c) {
+        const Capsule &from = state.capsules_before[c], &to = state.capsules[c];
+        const Moving core{from.a, from.b, to.a, to.b};
+        const Box swept = core.swept();
+        for (int p = 0; p < blocks; ++p) {
+            if (apart(boxes_[static_cast<std::size_t>(p)], swept)) continue;
+            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
+                if (!apart(swept_by_[static_cast<std::size_t>(i)], swept)) met += crossings(link_of(state, i), core);
+        }
+    }
+    return met;
+}
+
+int Audit::count_surface(const State& state) {
+    if (!state.input.surface) return 0;
+    const int n = state.links(), blocks = static_cast<int>(boxes_.size());
+    int met = 0;
+    for (int p = 0; p < blocks; ++p) {
+        found_.clear();
+        state.input.surface->near(boxes_[static_cast<std::size_t>(p)], found_);
+        for (const int t : found_) {
+            const geometry::Triangle& tri = (*state.input.surface)[t];
+            const Box box = box_of(tri);
+            for (int i = p * block; i < std::min(n, (p + 1) * block); ++i)
+                if (!apart(box, swept_by_[static_cast<std::size_t>(i)])) met += pierces(link_of(state, i), tri);
+        }
+    }
+    return met;
+}
+
+}  // namespace sim::thread::contact

@@ -1,11 +1,14 @@
+#include "sim/thread/contact/gaps.hpp"
+
 #include <algorithm>
 #include <tuple>
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
-#include "sim/thread/stages.hpp"
+#include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/contact/tolerances.hpp"
 
-namespace sim::thread {
+namespace sim::thread::contact {
 
 using geometry::closest_points;
 using geometry::ClosestPair;
@@ -87,7 +90,7 @@ static void measure(State& state, Contact& c) {
     const ClosestPair pair = nearest(state, c);
     c.gap = c.measured = std::sqrt(pair.distance_squared);
     c.place = pair.t;
-    if (c.gap >= touchable || (c.against == Against::surface && sleeps(state, c.link))) return;
+    if (c.gap >= touchable || (c.against == Against::surface && state.sleeps(c.link))) return;
     state.rows.push_back(row_of(state, c, pair));
     if (is_on_soft_wall(state, c) && c.gap < c.thickness + about_to_press(state)) add_ends(state, c, pair);
 }
@@ -96,7 +99,7 @@ static void measure(State& state, Contact& c) {
 // the other and is thrown back, by half a radius a tick at 20 degrees; at 14 it rests. Follow-The-Leader, which has no
 // forces, leans on nothing.
 double same_way_on_wall(const State& state) {
-    return state.rod ? 0.97 : 0.94;
+    return state.def.elastic ? 0.97 : 0.94;
 }
 
 using Rows = std::vector<Row>::iterator;
@@ -149,7 +152,6 @@ void measure_gaps(State& state, double way) {
     // Things not among the contacts were farther than `reach`.
     std::fill(state.bound.begin(), state.bound.end(), bound_share * std::max(0.0, state.reach - 2 * state.moved));
     state.rows.clear();
-    state.on_steel.clear();
     for (Contact& c : state.contacts) {
         measure(state, c);
         bound_nodes(state, c);
@@ -170,4 +172,4 @@ void measure_gaps(State& state, double way) {
     merge_walls(state);
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::contact

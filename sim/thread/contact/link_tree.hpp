@@ -1,10 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "sim/geometry/shapes.hpp"
 
-namespace sim::thread {
+namespace sim::thread::contact {
 
 using geometry::Box;
 using geometry::Vec3;
@@ -115,4 +116,4 @@ void LinkTree::leaves(Visit&& visit) const {
         visit(boxes_[static_cast<std::size_t>(width_ + leaf)], first_link(leaf), last_link(leaf));
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::contact

@@ -5,12 +5,14 @@
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
+#include "sim/thread/contact/gaps.hpp"
+#include "sim/thread/contact/tolerances.hpp"
 
-namespace sim::thread {
+namespace sim::thread::elastic {
 
 // How far a tool or a wall may be in a link; the rest is for turns.
 static double deepest(const State& state) {
-    return 0.8 * steel_limit * 2 * state.def.radius;
+    return 0.8 * contact::steel_limit * 2 * state.def.radius;
 }
 
 static double depth_of(const Row& row) {
@@ -34,13 +36,12 @@ static bool is_at_wall(const Row& row, int node) {
 }
 
 // Of each node, what is free between its links and the nearest wall at least.
-static void find_room_at_walls(State& state) {
-    state.room_at_walls.assign(state.nodes.size(), std::numeric_limits<double>::infinity());
+void Advance::find_room_at_walls(const State& state) {
+    room_at_walls_.assign(state.nodes.size(), std::numeric_limits<double>::infinity());
     for (const Contact& c : state.contacts) {
         if (c.against != Against::surface) continue;
         const double room = c.measured - 2 * (state.moved - c.measured_at) - c.thickness;
-        for (const int node : {c.link, c.link + 1})
-            state.room_at_walls[at(node)] = std::min(state.room_at_walls[at(node)], room);
+        for (const int node : {c.link, c.link + 1}) room_at_walls_[at(node)] = std::min(room_at_walls_[at(node)], room);
     }
 }
 
@@ -55,10 +56,10 @@ static bool is_in_jaws(const State& state, std::size_t hold) {
 
 // Neither a held node nor a wall gives way: what of its motion it may make before it touches one, and in jaws, of which
 // it must not come out, when it does.
-static double share_at_walls(const State& state, std::size_t hold) {
+double Advance::share_at_walls(const State& state, std::size_t hold) const {
     const int node = state.input.holds[hold].node;
     const Vec3 way = state.input.holds[hold].target - state.hold_from[hold];
-    double share = std::min(1.0, std::max(state.def.radius, state.room_at_walls[at(node)]) / way.norm());
+    double share = std::min(1.0, std::max(state.def.radius, room_at_walls_[at(node)]) / way.norm());
     if (!is_in_jaws(state, hold)) return share;
     for (const Row& row : state.rows) {
         const double into = -share_of_node(row, node) * way.dot(row.normal), room = room_in(state, row);
@@ -79,19 +80,19 @@ static bool leads_aside(const State& state, const Row& row, std::size_t hold) {
 }
 
 // What of its way would lead it too far into that is left out, for all that the same tool holds: it slides.
-void slide(State& state) {
+void slide_aside(const State& state, std::vector<Hold>& targets) {
     constexpr int sweeps = 4;  // a corner between two
     const auto& owners = state.input.hold_owners;
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (const Row& row : state.rows)
-            for (std::size_t h = 0; row.against != Against::thread && h < state.targets.size(); ++h) {
+            for (std::size_t h = 0; row.against != Against::thread && h < targets.size(); ++h) {
                 if (!leads_aside(state, row, h)) continue;
-                const Hold& hold = state.targets[h];
+                const Hold& hold = targets[h];
                 const double into = (state.nodes[at(hold.node)] - hold.target).dot(row.normal),
                              room = room_in(state, row);
                 for (std::size_t k = 0; into > room && k < owners.size(); ++k)
                     if (k == h || (owners[h] >= 0 && owners[k] == owners[h]))
-                        state.targets[k].target += (into - room) * row.normal;
+                        targets[k].target += (into - room) * row.normal;
             }
 }
 
@@ -105,7 +106,7 @@ static bool goes_along(const State& state, const Row& row) {
     return false;
 }
 
-double share_of_tools(State& state, double left, const Motion& motion) {
+double Advance::share_of_tools(const State& state, double left, const Motion& motion) {
     find_room_at_walls(state);
     double share = std::min(left, unseen_room(state) / motion.of_capsules);
     for (const Contact& c : but_walls(state.contacts))
@@ -127,7 +128,7 @@ bool may_dare(const State& state) {
 }
 
 bool is_deep(const State& state) {
-    const std::span<const Vec3> step = state.rod->step_found();
+    const std::span<const Vec3> step = state.rod.step_found();
     const auto then = [&](int node) { return Vec3(state.nodes[at(node)] + step[at(node)]); };
     const auto contacts = but_walls(state.contacts);
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
@@ -139,4 +140,4 @@ bool is_deep(const State& state) {
     });
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::elastic

@@ -1,15 +1,30 @@
 #pragma once
-#include "sim/thread/stages.hpp"
+#include <vector>
 
-// How far tools, and what they hold, go in a step of an elastic thread: up to what they meet, into what gives way as
-// far as it does, along what does not.
-namespace sim::thread {
+#include "sim/thread/contact/tools.hpp"
+#include "sim/thread/elastic/state.hpp"
 
-/// What share of the motion that is left tools may make before we look again, should the thread answer as freely as it
-/// may; `left`: of the tick's, 0 to 1. O(contacts).
-double share_of_tools(State& state, double left, const Motion& motion);
+namespace sim::thread::elastic {
 
-/// And should it not: no farther into links than any may be.
+using contact::Motion;
+
+/// How far tools, and what they hold, go in a step of an elastic thread: up to what they meet, into what gives way as
+/// far as it does, along what does not.
+class Advance {
+  public:
+    /// What share of the motion that is left tools may make before we look again, should the thread answer as freely as
+    /// it may, 0..1; `left`: of the tick's, 0..1. O(contacts).
+    double share_of_tools(const State& state, double left, const Motion& motion);
+
+  private:
+    void find_room_at_walls(const State& state);
+    double share_at_walls(const State& state, std::size_t hold) const;
+
+    std::vector<double> room_at_walls_;  // per node: what is free between its links and walls [m]
+};
+
+/// What share tools may make should the thread not give way: no farther into links than any may be, 0..1; `share`: what
+/// they may make should it.
 double careful_share(const State& state, double left, double share);
 
 /// Whether a step may be found twice: not where one solves as many contacts as a tick may.
@@ -18,8 +33,8 @@ bool may_dare(const State& state);
 /// Whether the step that was found leaves a tool farther in a link than any may be. O(contacts with tools).
 bool is_deep(const State& state);
 
-/// Leaves out of State::targets what would lead what is held too far into a tool that does not hold it or, where no
-/// jaws do, into a wall.
-void slide(State& state);
+/// Leaves out of `targets`, one a hold of the input, what would lead what is held too far into a tool that does not
+/// hold it or, where no jaws do, into a wall: it slides.
+void slide_aside(const State& state, std::vector<Hold>& targets);
 
-}  // namespace sim::thread
+}  // namespace sim::thread::elastic

@@ -1,12 +1,20 @@
+#include "sim/thread/elastic/find_presses.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/portable_math.hpp"
-#include "sim/thread/elastic/press.hpp"
+#include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/contact/gaps.hpp"
 
 // What of all that an elastic thread is near may press on it in a step, and where each would be.
-namespace sim::thread {
+namespace sim::thread::elastic {
+
+PressFinder::PressFinder(std::size_t most_links) {
+    nearest_rows_.reserve(8 * most_links);
+}
 
 static void add_node(const State& state, Pair& pair, int node, double weight) {
     if (weight == 0 || state.inverse_mass[at(node)] == 0) return;
@@ -33,7 +41,7 @@ static Vec3 along(const Vec3& a, const Vec3& b) {
 
 // Two lines d apart at an angle b that both turn by a towards each other are d a^2 / (1 - |cos b|) nearer at most, and
 // touch so much farther along: no farther than from the middle of a link to its end.
-static void add_rolling(State& state, const Row& row) {
+void PressFinder::add_rolling(const State& state, const Row& row) {
     if (row.against == Against::surface) return;
     const auto end = [&](int link) { return state.nodes[at(link) + 1]; };
     const bool strand = row.against == Against::thread;
@@ -41,8 +49,8 @@ static void add_rolling(State& state, const Row& row) {
         strand ? Capsule{state.nodes[at(row.other)], end(row.other), 0} : state.capsules[at(row.other)];
     const double cosine = std::abs(along(state.nodes[at(row.link)], end(row.link)).dot(along(other.a, other.b)));
     const auto roll = [&](int link, double s) {
-        const double arm = std::min(row.distance / (1 - cosine), 0.5 * state.rest[at(link)]);
-        if (s > 0 && s < 1) state.rolling.push_back({link, row.normal, row.normal_push * arm});
+        const double arm = std::min(row.distance / (1 - cosine), 0.5 * state.rest_length[at(link)]);
+        if (s > 0 && s < 1) rolling_.push_back({link, row.normal, row.normal_push * arm});
     };
     roll(row.link, row.s);
     if (strand) roll(row.other, row.t);
@@ -53,7 +61,7 @@ bool is_far(const State& state, const Row& row) {
 }
 
 static double place_of(const State& state, int link, double s) {
-    return state.arc[at(link)] + s * state.rest[at(link)];
+    return state.arc[at(link)] + s * state.rest_length[at(link)];
 }
 
 // Links that meet in a node touch what is there both, and a link many small triangles of a wall: rows within a radius
@@ -63,7 +71,7 @@ static double place_of(const State& state, int link, double s) {
 static bool says_the_same(const State& state, const Row& a, const Row& b) {
     constexpr double to_a_node = 0.51;  // half a link, and what rounds
     const double same_way = a.against == Against::surface ? same_way_on_wall(state) : 0.94;
-    const double radius = state.def.radius, rest = state.rest[at(a.link)];
+    const double radius = state.def.radius, rest = state.rest_length[at(a.link)];
     const double on_wall = is_on_soft_wall(state, a) ? to_a_node * rest : rest;
     const double reach = a.against == Against::surface   ? std::max(radius, on_wall)
                          : a.against == Against::capsule ? std::min(radius, 0.75 * rest)
@@ -74,10 +82,10 @@ static bool says_the_same(const State& state, const Row& a, const Row& b) {
            (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
 }
 
-static Press* said_already(State& state, const Row& row) {
-    const auto known = std::find_if(state.presses.begin(), state.presses.end(),
+static Press* said_already(const State& state, std::vector<Press>& presses, const Row& row) {
+    const auto known = std::find_if(presses.begin(), presses.end(),
                                     [&](const Press& press) { return says_the_same(state, *press.row, row); });
-    return known == state.presses.end() ? nullptr : &*known;
+    return known == presses.end() ? nullptr : &*known;
 }
 
 static void press_as_before(Press& press, const Row& before) {
@@ -89,10 +97,10 @@ static void press_as_before(Press& press, const Row& before) {
 // What pressed on a triangle and now lies nearer to the next goes on pressing there. Forgotten, what stuck would slide:
 // the forces on a wall that a tied stitch rests on went up and down by a tenth from tick to tick, by a fiftieth with
 // this, and its knot moved three times as much.
-static void hand_on_between_triangles(State& state) {
+static void hand_on_between_triangles(const State& state, std::vector<Press>& presses) {
     for (const Row& before : state.pressed) {
         if (before.against != Against::surface || before.is_there_still) continue;
-        if (Press* const press = said_already(state, before)) press_as_before(*press, before);
+        if (Press* const press = said_already(state, presses, before)) press_as_before(*press, before);
     }
 }
 
@@ -102,7 +110,7 @@ static void hand_on_between_triangles(State& state) {
 // D, and knots that were let go of trembled.
 static Vec3 normal_ahead(const State& state, const Row& row) {
     constexpr double most_turn = 0.95;  // a cosine: what turns farther does not slide, it goes round a corner
-    const auto velocity = state.rod->velocity();
+    const auto velocity = state.rod.velocity();
     const auto ahead = [&](int node) { return Vec3(state.nodes[at(node)] + state.input.seconds * velocity[at(node)]); };
     const Vec3 a = ahead(row.link), b = ahead(row.link + 1);
     const bool steel = row.against == Against::capsule;
@@ -121,15 +129,15 @@ static bool slips_on_body(const Row& row) {
            row.tangent_push.norm() > all * row.friction * row.normal_push;
 }
 
-static void add_press(State& state, Row& row) {
+void PressFinder::add_press(State& state, std::vector<Press>& presses, Row& row) {
     const Row* const before = pressed_before(state, row);
     if (before && slips_on_body(*before)) row.normal = normal_ahead(state, row);
     if (!before && is_far(state, row)) return;
-    if (Press* const known = said_already(state, row)) {
+    if (Press* const known = said_already(state, presses, row)) {
         if (before) press_as_before(*known, *before);
         return;
     }
-    Press& press = state.presses.emplace_back(&row);
+    Press& press = presses.emplace_back(&row);
     add_node(state, press.pair, row.link, 1 - row.s);
     add_node(state, press.pair, row.link + 1, row.s);
     if (row.against == Against::thread) {
@@ -173,13 +181,13 @@ double give_of_wall(const State& state, const Row& row) {
 }
 
 // Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.
-static void set_rest(State& state, Press& press) {
+void PressFinder::set_rest(const State& state, Press& press) {
     Row& row = *press.row;
     row.normal_push = press.push.dot(row.normal);
     row.friction *= for_rims(state, row);
     press.friction = row.friction * for_corners(state, row);
     press.pair.force = press.push;
-    const double stiffness = state.rod->def().contact_stiffness(state.rest[0]), soft = give_of_wall(state, row);
+    const double stiffness = state.rod.def().contact_stiffness(state.rest_length[0]), soft = give_of_wall(state, row);
     press.give = 1 / stiffness + soft;
     press.rest =
         row.start +
@@ -188,24 +196,24 @@ static void set_rest(State& state, Press& press) {
     if (row.normal_push > 0) add_rolling(state, row);
 }
 
-static void sort_by_distance(State& state) {
-    state.nearest_rows.clear();
-    for (Row& row : state.rows) state.nearest_rows.push_back(&row);
-    std::sort(state.nearest_rows.begin(), state.nearest_rows.end(), [](const Row* a, const Row* b) {
+void PressFinder::sort_by_distance(State& state) {
+    nearest_rows_.clear();
+    for (Row& row : state.rows) nearest_rows_.push_back(&row);
+    std::sort(nearest_rows_.begin(), nearest_rows_.end(), [](const Row* a, const Row* b) {
         return a->distance != b->distance ? a->distance < b->distance : a < b;
     });
 }
 
-void find_presses(State& state) {
-    state.presses.clear();
-    state.rolling.clear();
+void PressFinder::find(State& state, std::vector<Press>& presses) {
+    presses.clear();
+    rolling_.clear();
     sort_by_distance(state);
     for (Row& row : state.pressed) row.is_there_still = false;
-    for (Row* row : state.nearest_rows) add_press(state, *row);
-    hand_on_between_triangles(state);
-    for (Press& press : state.presses) set_rest(state, press);
-    state.pairs.clear();
-    for (const Press& press : state.presses) state.pairs.push_back(press.pair);
+    for (Row* row : nearest_rows_) add_press(state, presses, *row);
+    hand_on_between_triangles(state, presses);
+    for (Press& press : presses) set_rest(state, press);
+    pairs_.clear();
+    for (const Press& press : presses) pairs_.push_back(press.pair);
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::elastic

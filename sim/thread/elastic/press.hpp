@@ -1,39 +1,50 @@
 #pragma once
-#include "sim/thread/stages.hpp"
+#include <array>
+#include <vector>
 
-namespace sim::thread {
+#include "sim/thread/elastic/state.hpp"
 
-/// How far apart a unit push at each contact moves the points of every other [m/N]: three rows and columns for each of
-/// State::presses.
-using Responses = Eigen::Map<Table::Matrix>;
+namespace sim::thread::elastic {
 
-/// Whether a row is too far off to push in the next step, which leaves it just touching at most.
-bool is_far(const State& state, const Row& row);
+/// Presses one after the other.
+struct Run {
+    std::size_t first;  ///< The first of them.
+    std::size_t past;   ///< One past the last.
+};
 
-/// By how much a wall that gives way goes for what a push on it has changed by since it was moved [m/N]; 0 where it
-/// does not.
-double give_of_wall(const State& state, const Row& row);
+/// A contact of an elastic thread during one step.
+struct Press {
+    explicit Press(Row* of) : row(of), normal(of->normal) {}
 
-/// How far the step that was found takes a row's points apart, were it for the nodes alone.
+    Row* row;                    ///< Of State::rows; where it touches.
+    Vec3 normal;                 ///< The row's: sweeps have it at hand with what follows.
+    Vec3 push = Vec3::Zero();    ///< On the link, drag and all [N].
+    Vec3 began = Vec3::Zero();   ///< The push as the tick began [N].
+    Vec3 rest = Vec3::Zero();    ///< Where it would press and drag no more: the link's point from the other's [m].
+    double friction = 0;         ///< Coulomb's coefficient, and what a polyline lacks.
+    double give = 0;             ///< Compliance of the contact itself and of what it presses on [m/N].
+    double gives = 0;            ///< Compliance of its points to its own push along the normal, along it [m/N].
+    Vec3 across = Vec3::Zero();  ///< How its points move for a unit push along the normal [m/N].
+    Eigen::Matrix3d along = {};  ///< The push across the normal that undoes a slip [N/m].
+    Vec3 before = Vec3::Zero();  ///< The push as a sweep began [N].
+    Vec3 way = Vec3::Zero();     ///< Search direction of the sweeps [N].
+    Pair pair;                   ///< Where it acts, and its push as the step began.
+    std::array<Eigen::Index, 4> place{};  ///< First axis of each of those nodes among all that touch.
+    std::array<int, 2> piece{-1, -1};     ///< Pieces of the thread that it touches; none: -1.
+    std::size_t answers = 0;              ///< Which list of those that answer to its pushes is its.
+};
+
+/// All contacts of a step, or of an island.
+struct PressSet {
+    std::vector<Press> presses;
+    /// Three numbers a press: from the other's point to the link's as the step has it [m].
+    std::vector<double> apart;
+
+    /// How far a press's points are apart as the step has it [m].
+    Vec3 apart_of(std::size_t c) const { return Eigen::Map<const Vec3>(apart.data() + 3 * c); }
+};
+
+/// How far the step that was found takes a row's points apart, were it for the nodes alone [m].
 Vec3 way_of(const State& state, const Row& row);
 
-/// All of State::presses, until they push as Coulomb wants it; returns how often all were looked at.
-int solve_together(State& state);
-
-/// With the rod's inverse at the nodes that they touch; O(m n + m^2) for m contacts that touch n nodes. Pieces of
-/// thread answer each by itself: where contacts share none nothing is written.
-Responses measure_responses(State& state);
-
-/// The contacts that move when d pushes, increasing, d among them unless nothing moves: those that share a piece of
-/// thread with it.
-std::span<const Run> answers_to(const State& state, std::size_t d);
-
-/// Pushes contact c by `more` [N] than it does, and moves the points of all.
-void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more);
-
-/// Where sweeps left a contact a hundredth of a thickness nearer than it would be: what all push across, to rounding,
-/// with what they drag as it is but within its cone. Block principal pivoting [Judice and Pires 1994] from the contacts
-/// that push now; a Cholesky factorisation of those for each change.
-void part_presses(State& state, const Responses& responses);
-
-}  // namespace sim::thread
+}  // namespace sim::thread::elastic

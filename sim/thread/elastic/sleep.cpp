@@ -1,15 +1,17 @@
+#include "sim/thread/elastic/sleep.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/stages.hpp"
+#include "sim/geometry/triangle_tree.hpp"
 
 // Of several pieces of an elastic thread, one that no tool holds and that has been still for a while sleeps: it is not
 // solved, and holds walls as it did, until a tool, another piece, a wall or what holds it stirs it. So a stitch that is
 // tied costs next to nothing while the next is made, and cannot creep. A thread in one piece is the one that is worked
 // with, and does not.
-namespace sim::thread {
+namespace sim::thread::elastic {
 
 namespace {
 
@@ -51,19 +53,6 @@ void fall_asleep(State& state, const Piece& piece) {
     state.seen.clear();  // what is around is looked for anew
 }
 
-// It must be still for a whole watch again.
-void wake(State& state, int node) {
-    if (!state.asleep[at(node)]) return;
-    const Piece piece = piece_at(state, node);
-    std::fill(state.asleep.begin() + piece.first, state.asleep.begin() + piece.last + 1, 0);
-    std::fill(state.watched.begin() + piece.first, state.watched.begin() + piece.last + 1,
-              Vec3::Constant(std::numeric_limits<double>::infinity()));
-    for (const SleepingPress& press : state.sleeping)
-        if (is_of(piece, press.row)) state.pressed.push_back(press.row);
-    std::erase_if(state.sleeping, [&](const SleepingPress& press) { return is_of(piece, press.row); });
-    state.seen.clear();
-}
-
 bool has_stirred(const State& state, const SleepingPress& press) {
     const geometry::Triangle now = wall_of(state, press.row), &then = press.wall;
     const double most = stirred(state);
@@ -92,34 +81,43 @@ bool is_still(const State& state, const Piece& piece) {
 
 void wake_what_is_touched(State& state) {
     for (const Row& row : state.rows) {
-        if (sleeps(state, row.link)) wake(state, row.link);
-        if (row.against == Against::thread && sleeps(state, row.other)) wake(state, row.other);
+        if (state.sleeps(row.link)) wake(state, row.link);
+        if (row.against == Against::thread && state.sleeps(row.other)) wake(state, row.other);
     }
     for (const Contact& c : state.contacts)
-        if (c.against == Against::surface && c.gap < c.thickness - stirred(state) && sleeps(state, c.link))
+        if (c.against == Against::surface && c.gap < c.thickness - stirred(state) && state.sleeps(c.link))
             wake(state, c.link);
 }
 
 }  // namespace
+
+// It must be still for a whole watch again.
+void wake(State& state, int node) {
+    if (!state.asleep[at(node)]) return;
+    const Piece piece = piece_at(state, node);
+    std::fill(state.asleep.begin() + piece.first, state.asleep.begin() + piece.last + 1, 0);
+    std::fill(state.watched.begin() + piece.first, state.watched.begin() + piece.last + 1,
+              Vec3::Constant(std::numeric_limits<double>::infinity()));
+    for (const SleepingPress& press : state.sleeping)
+        if (is_of(piece, press.row)) state.pressed.push_back(press.row);
+    std::erase_if(state.sleeping, [&](const SleepingPress& press) { return is_of(piece, press.row); });
+    state.seen.clear();
+}
 
 void hold_what_sleeps(State& state) {
     for (std::size_t i = 0; i < state.asleep.size(); ++i)
         if (state.asleep[i]) state.inverse_mass[i] = 0;
 }
 
-void wake_at(State& state, std::size_t link) {
-    wake(state, static_cast<int>(link));
-}
-
-void wake_what_is_moved(State& state) {
+void wake_what_is_moved(State& state, std::vector<int>& stirred_links) {
     const bool is_wall_new = std::isinf(state.input.surface_moved);  // its triangles have other numbers
     for (const Hold& hold : state.input.holds)
         if ((hold.target - state.nodes[at(hold.node)]).norm() > stirred(state)) wake(state, hold.node);
-    state.found.clear();
+    stirred_links.clear();
     for (const SleepingPress& press : state.sleeping)
         if (press.row.against == Against::surface && (is_wall_new || has_stirred(state, press)))
-            state.found.push_back(press.row.link);
-    for (const int link : state.found) wake(state, link);
+            stirred_links.push_back(press.row.link);
+    for (const int link : stirred_links) wake(state, link);
 }
 
 void watch_over_pieces(State& state) {
@@ -136,4 +134,4 @@ void watch_over_pieces(State& state) {
     state.watched = state.nodes;
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::elastic

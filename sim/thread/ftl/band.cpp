@@ -1,6 +1,6 @@
 #include "sim/thread/ftl/band.hpp"
 
-namespace sim::thread {
+namespace sim::thread::ftl {
 
 void Band::clear() {
     rows_.clear();
@@ -34,4 +34,4 @@ void Band::solve(std::vector<double>& x) {
     }
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

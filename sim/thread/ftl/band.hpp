@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sim::thread {
+namespace sim::thread::ftl {
 
 /// A square matrix that is zero in each row but for a stretch of columns about the diagonal; neither end of it ever
 /// moves left from row to row. Solved directly and without pivots, in time that grows with the rows times the square of
@@ -31,4 +31,4 @@ class Band {
     std::vector<double> entries_;
 };
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

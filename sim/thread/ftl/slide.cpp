@@ -1,13 +1,17 @@
+#include "sim/thread/ftl/slide.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/ftl/tail.hpp"
-#include "sim/thread/stages.hpp"
+#include "sim/thread/ftl/clip.hpp"
+#include "sim/thread/ftl/resolve.hpp"
+#include "sim/thread/ftl/rubbed.hpp"
 
 // A strand that is drawn over walls, its other end free, follows itself: each node goes where the next one was. Least
-// motion would rather draw it into the wall at one corner than all that follows round the next.
-namespace sim::thread {
+// motion would rather draw it into the wall at one corner than all that follows round the next. Follow-The-Leader along
+// the thread's own line, then passes over contacts: O(n) a pass.
+namespace sim::thread::ftl {
 
 // Every piece is led by one tool at most, away from what follows. What lies on itself may be knotted, and a knot comes
 // along as a whole.
@@ -16,7 +20,7 @@ bool may_slide(const State& state) {
         return std::any_of(state.rows.begin(), state.rows.end(),
                            [&](const Row& row) { return row.against == what && is_touched(state, row); });
     };
-    if (state.rod || !touches(Against::surface) || touches(Against::thread)) return false;
+    if (!touches(Against::surface) || touches(Against::thread)) return false;
     bool is_led = false;
     std::size_t last = state.nodes.size();  // that is held in this piece
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
@@ -58,18 +62,22 @@ static Vec3 along_itself(const Vec3& leader, const Vec3& leader_was, const Vec3&
     return share >= 0 && share <= 1 ? Vec3(was + share * way) : Vec3(leader + rest * off.stableNormalized());
 }
 
+Slide::Slide(std::size_t most_links) {
+    rubbed_.reserve(most_links);
+}
+
 // As far as it lies over something; beyond, each follows its leader.
-static void follow_along(State& state) {
-    find_rubbed(state);
+void Slide::follow_along(State& state, FollowLeader& leader) {
+    find_rubbed(state, rubbed_);
     for_each_tail(state, [&](const Tail& tail) {
-        const std::size_t last = last_rubbed(state, tail);
+        const std::size_t last = last_rubbed(rubbed_, tail);
         for (std::size_t node = tail.held; node != last; node = tail.next(node)) {
             const std::size_t to = tail.next(node);
-            state.nodes[to] =
-                along_itself(state.nodes[node], state.before[node], state.before[to], state.rest[tail.link_to(to)]);
+            state.nodes[to] = along_itself(state.nodes[node], state.before[node], state.before[to],
+                                           state.rest_length[tail.link_to(to)]);
         }
     });
-    follow_leader(state);
+    leader.follow(state);
 }
 
 double share_of_slide(const State& state, double way) {
@@ -92,20 +100,20 @@ static double hold_walls_back(State& state) {
     return deepest;
 }
 
-double slide_along(State& state) {
+double Slide::slide_along(State& state, FollowLeader& leader, const BendLimit& bends, int& work) {
     constexpr int most_passes = 16;
     constexpr double deep_enough = 0.5;  // of what walls may be in the thread
     const double enough = std::max(deep_enough, hold_walls_back(state));
-    follow_along(state);
+    follow_along(state, leader);
     clip(state);
     for (int pass = 0; pass < most_passes && (aim(state) > enough || pass == 0); ++pass) {
-        ++state.work;
+        ++work;
         resolve_contacts(state);
-        limit_bends(state);
-        follow_leader(state);
+        bends.limit(state);
+        leader.follow(state);
         clip(state);
     }
     return std::max(worst_stretch(state, state.nodes) / stretch_tolerance, aim(state));
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

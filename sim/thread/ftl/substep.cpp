@@ -1,45 +1,34 @@
+#include "sim/thread/ftl/substep.hpp"
+
+#include <algorithm>
+
 #include "sim/geometry/at.hpp"
-#include "sim/thread/stages.hpp"
+#include "sim/thread/contact/tools.hpp"
+#include "sim/thread/ftl/clip.hpp"
+#include "sim/thread/ftl/wraps.hpp"
 
-namespace sim::thread {
+namespace sim::thread::ftl {
 
-static Vec3 mix(const Vec3& a, const Vec3& b, double t) {
-    return a + t * (b - a);
-}
-
-void place_capsules(State& state) {
-    state.capsules.resize(state.input.capsules.size());
-    for (std::size_t c = 0; c < state.capsules.size(); ++c) {
-        const MovingCapsule& moving = state.input.capsules[c];
-        const double progress = state.progress[at(moving.owner + 1)];
-        state.capsules[c] = {mix(moving.from.a, moving.to.a, progress), mix(moving.from.b, moving.to.b, progress),
-                             moving.from.radius};
-    }
-}
-
-double largest_capsule_move(const State& state) {
-    double moved = 0;
-    for (std::size_t c = 0; c < state.capsules.size(); ++c)
-        moved = std::max({moved, (state.capsules[c].a - state.capsules_before[c].a).norm(),
-                          (state.capsules[c].b - state.capsules_before[c].b).norm()});
-    return moved;
+Stepper::Stepper(const State& state)
+    : relaxation_(state), leader_(state.most_links()), slide_(state.most_links()), audit_(state.most_links()) {
+    kept_.reserve(state.most_links() + 1);
 }
 
 // For the length of an attempt, nodes of strands that press on each other are held where they are.
-static void keep_what_presses(State& state) {
+void Stepper::keep_what_presses(State& state) {
     for (const Row& row : state.rows) {
         if (row.against != Against::thread || row.distance >= row.thickness) continue;
         for (const int node : {row.link, row.link + 1, row.other, row.other + 1}) {
             if (state.inverse_mass[at(node)] == 0) continue;
             state.inverse_mass[at(node)] = 0;
-            state.kept.push_back(node);
+            kept_.push_back(node);
         }
     }
 }
 
-static void let_go_of_kept(State& state) {
-    for (const int node : state.kept) state.inverse_mass[at(node)] = 1;
-    state.kept.clear();
+void Stepper::let_go_of_kept(State& state) {
+    for (const int node : kept_) state.inverse_mass[at(node)] = 1;
+    kept_.clear();
 }
 
 static void begin_pushes(State& state) {
@@ -51,7 +40,7 @@ static void begin_pushes(State& state) {
     }
 }
 
-static void begin_answer(State& state, double way, Answer answer) {
+void Stepper::begin_answer(State& state, double way, Answer answer) {
     begin_pushes(state);
     recall_wraps(state);
     if (answer == Answer::drift && state.drift_way > 0) {
@@ -61,7 +50,7 @@ static void begin_answer(State& state, double way, Answer answer) {
     }
     place_held(state);
     carry_taut_spans(state);
-    if (answer == Answer::follow_the_leader) follow_leader(state);
+    if (answer == Answer::follow_the_leader) leader_.follow(state);
     lie_on_steel(state);
 }
 
@@ -73,10 +62,10 @@ static void begin_slide(State& state) {
     place_held(state);
 }
 
-static double try_answer(State& state, double way, Answer answer, Effort effort) {
+double Stepper::try_answer(State& state, double way, Answer answer, Effort effort) {
     if (answer == Answer::slide) {
         begin_slide(state);
-        return slide_along(state);
+        return slide_.slide_along(state, leader_, relaxation_.bends(), relaxation_.work);
     }
     if (answer == Answer::go_on) {
         state.nodes = state.unfinished.nodes;
@@ -85,7 +74,7 @@ static double try_answer(State& state, double way, Answer answer, Effort effort)
         begin_answer(state, way, answer);
     }
     clip(state);
-    return relax(state, effort);
+    return relaxation_.relax(state, effort);
 }
 
 static double largest_move(const State& state) {
@@ -104,7 +93,7 @@ static double largest_move_over_bound(const State& state) {
     return worst;
 }
 
-Substep attempt(State& state, double way, Answer answer, Effort effort) {
+Substep Stepper::attempt(State& state, double way, Answer answer, Effort effort) {
     double was = worst_stretch(state, state.nodes) / stretch_tolerance;
     for (const Row& row : state.rows) was = std::max(was, over_limit(state, row));
     state.before = state.nodes;
@@ -133,8 +122,8 @@ Substep attempt(State& state, double way, Answer answer, Effort effort) {
     state.moved += moved;
     state.settled = moved == 0;
     result.over_bound = largest_move_over_bound(state);
-    result.pass_throughs = audit(state);
+    result.pass_throughs = audit_.count_pass_throughs(state);
     return result;
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "sim/thread/state.hpp"
+#include "sim/thread/ftl/state.hpp"
 
-namespace sim::thread {
+namespace sim::thread::ftl {
 
 /// A strand from a held node to a free end.
 struct Tail {
@@ -19,9 +19,9 @@ struct Tail {
 /// From a held node that way, if nothing else is held there.
 inline std::optional<Tail> tail_from(const State& state, std::size_t held, int step) {
     Tail tail{held, held, step};
-    const auto goes_on = [&] { return !(step > 0 ? state.is_last(tail.end) : state.is_first(tail.end)); };
-    while (goes_on() && state.inverse_mass[tail.next(tail.end)] > 0) tail.end = tail.next(tail.end);
-    return goes_on() || tail.end == held ? std::nullopt : std::optional(tail);
+    const auto has_next = [&] { return !(step > 0 ? state.is_last(tail.end) : state.is_first(tail.end)); };
+    while (has_next() && state.inverse_mass[tail.next(tail.end)] > 0) tail.end = tail.next(tail.end);
+    return has_next() || tail.end == held ? std::nullopt : std::optional(tail);
 }
 
 template <class Do>
@@ -32,4 +32,4 @@ void for_each_tail(const State& state, const Do& with) {
                 if (const auto tail = tail_from(state, i, step)) with(*tail);
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

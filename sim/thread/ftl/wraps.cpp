@@ -1,14 +1,13 @@
+#include "sim/thread/ftl/wraps.hpp"
+
 #include <algorithm>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/stages.hpp"
+#include "sim/thread/contact/tolerances.hpp"
+#include "sim/thread/ftl/resolve.hpp"
 
 // Which of the thread lies along steel in a substep, and what it knows from the last one.
-namespace sim::thread {
-
-bool goes_on(const Row& row, const Row& next) {
-    return next.against == row.against && next.other == row.other && next.link == row.link + 1;
-}
+namespace sim::thread::ftl {
 
 static bool is_near(const State& state, const Row& row) {
     return row.against == Against::capsule && is_touched(state, row);
@@ -25,7 +24,8 @@ static bool is_alone(const State& state, const Row& row) {
 // Strands that may come to press on each other are coupled with lengths and steel by passes, and a knot holds by that:
 // all is left to them.
 static bool is_knotted(const State& state) {
-    const double neighbours = looked_around * state.def.radius;  // along the thread: those are near at all times
+    const double neighbours =
+        contact::looked_around * state.def.radius;  // along the thread: those are near at all times
     return std::any_of(state.rows.begin(), state.rows.end(), [&](const Row& row) {
         return row.against == Against::thread && state.arc[at(row.other)] - state.arc[at(row.link + 1)] >= neighbours;
     });
@@ -76,4 +76,4 @@ void lie_on_steel(State& state) {
             push_apart(state, row, (row.target - row.distance) / row.mobility * row.normal);
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

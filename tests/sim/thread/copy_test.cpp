@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/geometry/triangle_tree.hpp"
+#include "sim/thread/hash.hpp"
 #include "tests/sim/thread/scene.hpp"
 
 // A copy of a thread goes on as the original does, bit for bit, wherever the two are parted: while a knot jams, while a
@@ -15,7 +16,9 @@ using namespace scene;
 using sim::geometry::Capsule;
 using sim::geometry::Triangle;
 using sim::geometry::TriangleTree;
+using sim::thread::hash_of_all_carried;
 using sim::thread::MovingCapsule;
+using sim::thread::state_of;
 
 /// Plays `ticks` ticks of a scene, copies it before some of them, and plays each copy to the end.
 template <class Scene>
@@ -28,15 +31,18 @@ void expect_copies_go_on(const Scene& start, int ticks, unsigned seed) {
     std::vector<std::pair<int, Scene>> copied;
     std::vector<std::uint64_t> hashes;
     for (int i = 0; i < ticks; ++i) {
-        if (when.count(i)) copied.emplace_back(i, scene);
+        if (when.count(i)) {
+            copied.emplace_back(i, scene);
+            EXPECT_EQ(copied.back().second.thread.hash_of_all_carried(), scene.thread.hash_of_all_carried());
+        }
         scene.step(i);
-        hashes.push_back(scene.thread.hash());
+        hashes.push_back(scene.thread.hash_of_all_carried());
     }
     EXPECT_NE(hashes.front(), hashes.back());
     for (auto& [first, copy] : copied)
         for (int i = first; i < ticks; ++i) {
             copy.step(i);
-            ASSERT_EQ(copy.thread.hash(), hashes[static_cast<std::size_t>(i)])
+            ASSERT_EQ(copy.thread.hash_of_all_carried(), hashes[static_cast<std::size_t>(i)])
                 << "copied before tick " << first << ", tick " << i;
         }
 }
@@ -139,6 +145,101 @@ struct Pieces {
 TEST(Copy, OfPiecesOnAFloorGoesOnAlike) {
     expect_copies_go_on(Pieces({}), 500, 6);
     expect_copies_go_on(Pieces(elastic()), 500, 7);
+}
+
+// What a tick that stopped within a substep carries over is copied as well: rows, bounds, how far it has come.
+TEST(Copy, OfAnUnfinishedSubstepGoesOnAlike) {
+    auto mover = sim::thread::make_mover({}, overhand(120), {});
+    const auto& state = std::get<sim::thread::ftl::Mover>(mover).state();
+    const Vec3 away = (state.nodes.back() - state.nodes.front()).normalized();
+    const auto pull = [&](sim::thread::Mover& one) {
+        const auto& nodes = state_of(one).nodes;
+        const Hold holds[] = {{0, nodes.front() - 0.1e-3 * away}, {120, nodes.back() + 0.1e-3 * away}};
+        constexpr int owners[] = {-1, -1};
+        sim::thread::tick(one, {holds, owners, {}});
+    };
+    int unfinished = 0;
+    for (int i = 0; i < 400; ++i) {
+        pull(mover);
+        if (state.unfinished.pace < 0 || ++unfinished % 10 != 1) continue;
+        auto copy = mover, original = mover;
+        for (int k = 0; k < 15; ++k) {
+            pull(copy), pull(original);
+            ASSERT_EQ(hash_of_all_carried(copy), hash_of_all_carried(original)) << "tick " << i << " and " << k;
+        }
+    }
+    EXPECT_GT(unfinished, 20);
+}
+
+/// Changes one member alone, which is there to be changed, and expects another hash.
+template <class Mover, class Change>
+void expect_another_hash(const Mover& mover, const char* what, const Change& change) {
+    sim::thread::Mover changed = mover;
+    const auto before = hash_of_all_carried(changed);
+    change(std::get<Mover>(changed).state());
+    EXPECT_NE(hash_of_all_carried(changed), before) << what;
+}
+
+template <class Mover>
+void expect_shared_members_count(const Mover& mover) {
+    const auto expect = [&](const char* what, const auto& change) { expect_another_hash(mover, what, change); };
+    expect("nodes", [](auto& s) { s.nodes[3].x() += 1e-9; });
+    expect("rest_length", [](auto& s) { s.rest_length[3] *= 1.01; });
+    expect("arc", [](auto& s) { s.arc[3] *= 1.01; });
+    expect("longest_link", [](auto& s) { s.longest_link *= 2; });
+    expect("tension", [](auto& s) { s.tension[3] += 1; });
+    expect("surface_forces", [](auto& s) { s.surface_forces.push_back({}); });
+    expect("progress", [](auto& s) { s.progress[0] += 0.1; });
+    expect("bound", [](auto& s) { s.bound[3] *= 2; });
+    expect("capsules", [](auto& s) { s.capsules.push_back({Vec3::Zero(), Vec3::UnitX(), 1}); });
+    expect("rows", [](auto& s) { s.rows.at(0).start.x() += 1; });
+    expect("contacts", [](auto& s) { s.contacts.at(0).place += 0.1; });
+    expect("reach", [](auto& s) { s.reach *= 2; });
+    expect("moved", [](auto& s) { s.moved += 1e-9; });
+    expect("is_rest_due", [](auto& s) { s.is_rest_due = !s.is_rest_due; });
+    expect("seen", [](auto& s) { s.seen.push_back(7); });
+    expect("def", [](auto& s) { s.def.friction += 0.1; });
+}
+
+TEST(HashOfAllCarried, SeesEachMemberOfAThreadByFollowTheLeader) {
+    Thread thread({}, overhand(120));
+    sim::thread::Mover mover = sim::thread::make_mover({}, overhand(120), {});
+    const auto& ftl = std::get<sim::thread::ftl::Mover>(mover);
+    const Hold holds[] = {{0, thread.nodes().front()}, {120, thread.nodes().back() + Vec3(10e-6, 0, 0)}};
+    constexpr int owners[] = {-1, -1};
+    sim::thread::tick(mover, {holds, owners, {}});
+    expect_shared_members_count(ftl);
+    const auto expect = [&](const char* what, const auto& change) { expect_another_hash(ftl, what, change); };
+    expect("drift", [](auto& s) { s.drift[3].x() += 1e-9; });
+    expect("drift_way", [](auto& s) { s.drift_way += 1e-9; });
+    expect("following", [](auto& s) { s.following[3] += 0.1; });
+    expect("paces", [](auto& s) { s.paces.at(0).waits += 1; });
+    expect("refused", [](auto& s) { s.paces.at(0).refused.push_back(Vec3::UnitX()); });
+    expect("unfinished.pace", [](auto& s) { s.unfinished.pace = 0; });
+    expect("unfinished.share", [](auto& s) { s.unfinished.share += 0.1; });
+    expect("unfinished.tries", [](auto& s) { s.unfinished.tries += 1; });
+    expect("unfinished.nodes", [](auto& s) { s.unfinished.nodes[3].x() += 1e-9; });
+    expect("slides", [](auto& s) { s.slides = !s.slides; });
+    expect("settled", [](auto& s) { s.settled = !s.settled; });
+    expect("wraps", [](auto& s) { s.wraps[3].presses = true; });
+    expect("on_steel", [](auto& s) { s.on_steel.push_back(0); });
+    expect("pulled", [](auto& s) { s.pulled[3] += 1e-9; });
+    expect("pulled_before", [](auto& s) { s.pulled_before[3] += 1e-9; });
+    expect("carried", [](auto& s) { s.carried[3].x() += 1e-9; });
+}
+
+TEST(HashOfAllCarried, SeesEachMemberOfAnElasticThread) {
+    sim::thread::Mover mover = sim::thread::make_mover(elastic(), overhand(120), {});
+    const auto& one = std::get<sim::thread::elastic::Mover>(mover);
+    sim::thread::tick(mover, {{}, {}, {}});
+    expect_shared_members_count(one);
+    const auto expect = [&](const char* what, const auto& change) { expect_another_hash(one, what, change); };
+    expect("asleep", [](auto& s) { s.asleep[3] = 1; });
+    expect("pressed", [](auto& s) { s.pressed.push_back({}); });
+    expect("sleeping", [](auto& s) { s.sleeping.push_back({}); });
+    expect("watched", [](auto& s) { s.watched[3].x() += 1e-9; });
+    expect("watched_ticks", [](auto& s) { s.watched_ticks += 1; });
+    expect("rod", [](auto& s) { s.rod.split(3, 0.4); });
 }
 
 }  // namespace copies

@@ -1,6 +1,8 @@
+#include "sim/thread/contact/audit.hpp"
+
 #include <gtest/gtest.h>
 
-#include "sim/thread/stages.hpp"
+#include "sim/geometry/triangle_tree.hpp"
 #include "tests/sim/thread/scene.hpp"
 
 // The audit is the witness of "nothing passed through". A witness that cannot say yes proves nothing, and one that
@@ -9,7 +11,11 @@ namespace {
 
 using namespace scene;
 using sim::geometry::Capsule;
-using sim::thread::State;
+using sim::thread::contact::State;
+
+int audit(const State& state) {
+    return sim::thread::contact::Audit(state.most_links()).count_pass_throughs(state);
+}
 
 /// A thread in a U: links 0..9 along x at height h over links 13..22, which run back along x under it.
 State bent(double height) {

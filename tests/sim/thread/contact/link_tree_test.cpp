@@ -11,7 +11,7 @@ namespace {
 
 using sim::geometry::Box;
 using sim::geometry::Vec3;
-using sim::thread::LinkTree;
+using sim::thread::contact::LinkTree;
 
 std::vector<Vec3> walk(unsigned seed, int links) {
     std::mt19937 random(seed);

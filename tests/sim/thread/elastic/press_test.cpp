@@ -1,29 +1,32 @@
-#include "sim/thread/elastic/press.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <random>
 
 #include "sim/geometry/at.hpp"
+#include "sim/thread/elastic/find_presses.hpp"
+#include "sim/thread/elastic/press_solver.hpp"
 
 namespace {
 
 using sim::at;
 using sim::geometry::Vec3;
 using sim::rod::Pair;
-using sim::thread::State;
+using sim::thread::elastic::PressSet;
+using sim::thread::elastic::State;
 
 constexpr int nodes = 24, pieces = 3, size = nodes / pieces;  // of which the first two touch each other
 
 // An elastic thread cut in three, its matrix one that a rod could have.
 struct Cut {
     State state;
+    PressSet set;
+    sim::thread::elastic::Pieces all;
     Eigen::MatrixXd inverse;
 
     explicit Cut(std::mt19937& random) : state(thread(), line()) {
         std::normal_distribution<double> normal;
-        auto& matrix = state.rod->matrix();
+        auto& matrix = state.rod.matrix();
         matrix.clear(nodes);
         Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
         for (int i = 0; i < nodes; ++i)
@@ -37,8 +40,8 @@ struct Cut {
             }
         EXPECT_TRUE(matrix.factor());
         inverse = dense.inverse();
-        for (int i = 0; i < nodes; ++i) state.piece_of.push_back(i / size);
-        state.island.assign(pieces, 0);
+        for (int i = 0; i < nodes; ++i) all.of_node.push_back(i / size);
+        all.count = pieces;
     }
 
     static sim::thread::ThreadDef thread() {
@@ -64,22 +67,22 @@ struct Cut {
                 pair.node[at(pair.nodes)] = first + k, pair.weight[at(pair.nodes++)] = sign * (k ? share : 1 - share);
         };
         add(piece, 1), add(other, -1);
-        state.presses.emplace_back(&row).pair = pair;
+        set.presses.emplace_back(&row).pair = pair;
     }
     Eigen::MatrixXd ways() const {
-        Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * state.presses.size()), 3 * nodes);
-        for (std::size_t c = 0; c < state.presses.size(); ++c)
-            for (int k = 0; k < state.presses[c].pair.nodes; ++k)
+        Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * set.presses.size()), 3 * nodes);
+        for (std::size_t c = 0; c < set.presses.size(); ++c)
+            for (int k = 0; k < set.presses[c].pair.nodes; ++k)
                 for (int a = 0; a < 3; ++a)
-                    ways(sim::axes(c) + a, 3 * state.presses[c].pair.node[at(k)] + a) +=
-                        state.presses[c].pair.weight[at(k)];
+                    ways(sim::axes(c) + a, 3 * set.presses[c].pair.node[at(k)] + a) +=
+                        set.presses[c].pair.weight[at(k)];
         return ways;
     }
-    sim::thread::Row row{};
+    sim::thread::contact::Row row{};
 };
 
-using sim::thread::Against;
-using sim::thread::Row;
+using sim::thread::contact::Against;
+using sim::thread::contact::Row;
 
 // A link's middle on a wall's triangle, which it just touches.
 Row on_wall(int triangle, const Vec3& normal) {
@@ -95,9 +98,12 @@ Row pressed(int triangle, const Vec3& push) {
     return row;
 }
 
-Vec3 pushed(const State& state) {
+// What all that may press pushes with, found anew [mN].
+Vec3 pushed(State& state) {
+    std::vector<sim::thread::elastic::Press> presses;
+    sim::thread::elastic::PressFinder(state.most_links()).find(state, presses);
     Vec3 sum = Vec3::Zero();
-    for (const auto& press : state.presses) sum += 1e3 * press.push;
+    for (const auto& press : presses) sum += 1e3 * press.push;
     return sum;
 }
 
@@ -111,16 +117,12 @@ TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
     State state(Cut::thread(), Cut::line());
     state.pressed = {pressed(7, push)};
     state.rows = {on_wall(8, Vec3::UnitZ())};
-    sim::thread::find_presses(state);
     EXPECT_LE((pushed(state) - push).norm(), 1e-12);  // rounding of numbers about 1
     state.rows = {on_wall(8, turned)};
-    sim::thread::find_presses(state);
     EXPECT_NEAR(pushed(state).norm(), push.norm(), 0.02);  // 0.1 rad of it is turned away
     state.rows = {on_wall(7, Vec3::UnitZ()), on_wall(8, Vec3::UnitZ())};
-    sim::thread::find_presses(state);
     EXPECT_LE((pushed(state) - push).norm(), 1e-12);  // not twice
     state.rows = {on_wall(8, aside)};
-    sim::thread::find_presses(state);
     EXPECT_EQ(pushed(state).norm(), 0);
 }
 
@@ -132,32 +134,35 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
         Cut cut(random);
-        State& state = cut.state;
+        PressSet& set = cut.set;
+        sim::thread::elastic::Responses responses;
         const int last = seed % 2 ? 1 : 2;  // the third piece touches nothing, or itself alone
         for (int i = 0; i < 30; ++i) {
             const int piece = static_cast<int>(random() % static_cast<unsigned>(last + 1));
             const int others[] = {-1, piece, piece < 2 ? 1 - piece : -1};
             cut.press(random, i == 7 ? -1 : piece, i == 7 ? -1 : others[random() % 3]);
         }
-        const std::size_t count = state.presses.size();
-        state.press_responses.room.assign(9 * count * count, NAN), state.inverses.assign(9 * nodes * nodes, NAN);
-        const auto responses = measure_responses(state);
+        const std::size_t count = set.presses.size();
+        responses.reserve(count, nodes);
+        responses.measure(cut.state, set.presses, cut.all);
         const Eigen::MatrixXd ways = cut.ways(), expected = ways * cut.inverse * ways.transpose();
         for (std::size_t d = 0; d < count; ++d)
-            for (const sim::thread::Run& run : answers_to(state, d)) {
-                const auto first = sim::axes(run.first), size = sim::axes(run.past) - first;
-                ASSERT_LT((responses - expected).block(sim::axes(d), first, 3, size).cwiseAbs().maxCoeff(),
-                          1e-12);  // entries are of the order of a fortieth
+            for (const sim::thread::elastic::Run& run : responses.answers_to(set.presses[d])) {
+                for (std::size_t c = run.first; c < run.past; ++c)
+                    ASSERT_LT((responses.block(d, c) - expected.block<3, 3>(sim::axes(d), sim::axes(c)))
+                                  .cwiseAbs()
+                                  .maxCoeff(),
+                              1e-12);  // entries are of the order of a fortieth
             }
-        state.apart.assign(3 * count, 0.0);
+        set.apart.assign(3 * count, 0.0);
         const Vec3 push(0.3, -1, 0.7);
-        push_more(state, responses, 3, push);
-        const Eigen::Map<const Eigen::VectorXd> moved(state.apart.data(), expected.rows());
+        push_more(set, responses, 3, push);
+        const Eigen::Map<const Eigen::VectorXd> moved(set.apart.data(), expected.rows());
         EXPECT_LT((moved - expected.middleCols<3>(9) * push).cwiseAbs().maxCoeff(), 1e-12);
-        for (auto& press : state.presses) press.normal = Vec3::UnitZ(), press.rest = 1e-3 * press.normal;
-        part_presses(state, responses);
+        for (auto& press : set.presses) press.normal = Vec3::UnitZ(), press.rest = 1e-3 * press.normal;
+        sim::thread::elastic::NormalSolver().part(set, responses, cut.state.def.radius);
         double sum = 0;
-        for (const auto& press : state.presses) sum += press.push.norm();
+        for (const auto& press : set.presses) sum += press.push.norm();
         EXPECT_TRUE(sum > push.norm() && std::isfinite(sum)) << "too near, they push";
     }
 }

@@ -7,7 +7,7 @@
 
 namespace {
 
-using sim::thread::Band;
+using sim::thread::ftl::Band;
 
 // What elimination fills beyond a row's stretch would be lost, and the answer wrong by a little: every length and push
 // along a wrap would be. Stretches of all widths, unsymmetric, against a dense solve.

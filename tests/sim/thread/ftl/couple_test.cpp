@@ -2,14 +2,17 @@
 
 #include <random>
 
-#include "sim/thread/stages.hpp"
+#include "sim/thread/contact/detection.hpp"
+#include "sim/thread/contact/gaps.hpp"
+#include "sim/thread/ftl/coupled_solver.hpp"
 #include "tests/sim/thread/scene.hpp"
 
 namespace {
 
 using namespace scene;
-using sim::thread::PushedRow;
-using sim::thread::State;
+using sim::thread::ftl::CoupledSolver;
+using sim::thread::ftl::LengthSolver;
+using sim::thread::ftl::State;
 
 // A tight overhand, its ends held, every node off by up to a hundredth of the thread's thickness.
 State disturbed_overhand(unsigned seed) {
@@ -22,8 +25,8 @@ State disturbed_overhand(unsigned seed) {
     for (Vec3& node : state.nodes) node += Vec3(off(), off(), off());
     state.inverse_mass.front() = state.inverse_mass.back() = 0;
     state.before = state.nodes;
-    sim::thread::look_around(state, 0);
-    sim::thread::measure_gaps(state, radius);
+    sim::thread::contact::Detection(state.most_links()).look_around(state, 0);
+    measure_gaps(state, radius);
     return state;
 }
 
@@ -34,20 +37,18 @@ TEST(Couple, ContactsPartAsFarAsTheSolveSaid) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);
         State state = disturbed_overhand(seed);
-        sim::thread::solve_lengths(state);
-        sim::thread::aim(state);
+        LengthSolver lengths(state.most_links());
+        CoupledSolver coupled(state.most_links());
+        lengths.solve(state);
+        aim(state);
         const std::vector<Vec3> start = state.nodes;
-        sim::thread::couple(state);
-        ASSERT_GT(state.pushed_rows.size(), 4u);
+        coupled.solve(state, lengths);
+        ASSERT_GT(coupled.rows(), 4u);
         double move = 0, error = 0;
         for (std::size_t i = 0; i < start.size(); ++i) move = std::max(move, (state.nodes[i] - start[i]).norm());
         ASSERT_GT(move, 0);
-        const auto responses = state.responses.resized(state.pushes.size(), state.pushes.size());
-        for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
-            const PushedRow& row = state.pushed_rows[c];
-            const Vec3 said = row.apart + responses.middleRows<3>(static_cast<Eigen::Index>(3 * c)) * state.pushes;
-            error = std::max(error, (sim::thread::apart_of(state, *row.row) - said).norm());
-        }
+        for (std::size_t c = 0; c < coupled.rows(); ++c)
+            error = std::max(error, (apart_of(state, coupled.row(c)) - coupled.foreseen(c)).norm());
         EXPECT_LE(error, 1e-9 * move) << "of a move of " << move / radius << " radii";
     }
 }
@@ -58,16 +59,17 @@ TEST(Couple, LengthsAreKept) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(seed);
         State state = disturbed_overhand(seed);
-        for (int i = 0; i < 4; ++i) sim::thread::solve_lengths(state);
-        sim::thread::aim(state);
+        LengthSolver lengths(state.most_links());
+        for (int i = 0; i < 4; ++i) lengths.solve(state);
+        aim(state);
         const std::vector<Vec3> start = state.nodes;
-        sim::thread::couple(state);
+        CoupledSolver(state.most_links()).solve(state, lengths);
         double move = 0;
         for (std::size_t i = 0; i < start.size(); ++i) move = std::max(move, (state.nodes[i] - start[i]).norm());
         ASSERT_GT(move, 0);
         const double link = 2 * radius;
-        EXPECT_LE(sim::thread::worst_stretch(state, state.nodes),
-                  4 * move * move / (link * link) + sim::thread::stretch_tolerance);
+        EXPECT_LE(worst_stretch(state, state.nodes),
+                  4 * move * move / (link * link) + sim::thread::ftl::stretch_tolerance);
     }
 }
 

@@ -1,14 +1,15 @@
-#include "sim/thread/elastic/press.hpp"
+#include "sim/thread/elastic/press_solver.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "sim/geometry/at.hpp"
 #include "sim/geometry/lane.hpp"
+#include "sim/thread/contact/rows.hpp"
 
 // What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it,
 // against how the points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
-namespace sim::thread {
+namespace sim::thread::elastic {
 
 using geometry::Lane;
 using Mat3 = Eigen::Matrix3d;
@@ -34,28 +35,29 @@ static void measure_own(Press& press, const Mat3& responses) {
 }
 
 Vec3 way_of(const State& state, const Row& row) {
-    const std::span<const Vec3> step = state.rod->step_found();
+    const std::span<const Vec3> step = state.rod.step_found();
     const auto way = [&](int link, double s) { return Vec3((1 - s) * step[at(link)] + s * step[at(link + 1)]); };
     return row.against == Against::thread ? Vec3(way(row.link, row.s) - way(row.other, row.t)) : way(row.link, row.s);
 }
 
 // Where the step takes the points of all.
-static void find_apart(State& state) {
-    for (std::size_t c = 0; c < state.presses.size(); ++c) {
-        const Row& row = *state.presses[c].row;
+static void find_apart(const State& state, PressSet& set) {
+    set.apart.resize(3 * set.presses.size());
+    for (std::size_t c = 0; c < set.presses.size(); ++c) {
+        const Row& row = *set.presses[c].row;
         const Vec3 apart = apart_of(state, row) + way_of(state, row);
-        std::copy_n(apart.data(), 3, state.apart.data() + 3 * c);
+        std::copy_n(apart.data(), 3, set.apart.data() + 3 * c);
     }
 }
 
-void push_more(State& state, const Responses& responses, std::size_t c, const Vec3& more) {
-    state.presses[c].push += more;
-    const double* const x = responses.row(axes(c)).data();
-    const double* const y = responses.row(axes(c) + 1).data();
-    const double* const z = responses.row(axes(c) + 2).data();
+void push_more(PressSet& set, const Responses& responses, std::size_t c, const Vec3& more) {
+    set.presses[c].push += more;
+    const double* const x = responses.row(c, 0);
+    const double* const y = responses.row(c, 1);
+    const double* const z = responses.row(c, 2);
     const double along_x = more.x(), along_y = more.y(), along_z = more.z();
-    double* const apart = state.apart.data();
-    for (const Run& run : answers_to(state, c)) {
+    double* const apart = set.apart.data();
+    for (const Run& run : responses.answers_to(set.presses[c])) {
         const std::size_t past = 3 * run.past;
         std::size_t i = 3 * run.first;
         for (; i + 4 <= past; i += 4)
@@ -67,70 +69,68 @@ void push_more(State& state, const Responses& responses, std::size_t c, const Ve
 }
 
 // One contact after the other; returns how much that changed, as share of all pushes.
-static double sweep(State& state, const Responses& responses) {
+double PressSolver::sweep(PressSet& set) const {
     double changed = 0, all = 0;
-    for (std::size_t c = 0; c < state.presses.size(); ++c) {
-        const Press& press = state.presses[c];
-        const Vec3 lacks = press.rest - Eigen::Map<const Vec3>(state.apart.data() + 3 * c) - press.give * press.push;
+    for (std::size_t c = 0; c < set.presses.size(); ++c) {
+        const Press& press = set.presses[c];
+        const Vec3 lacks = press.rest - set.apart_of(c) - press.give * press.push;
         if (press.push.squaredNorm() == 0 && lacks.dot(press.normal) <= 0) continue;  // as half of them
         const Vec3 push = push_of(press, lacks), more = push - press.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
-        if (more.squaredNorm() > 0) push_more(state, responses, c, more);
+        if (more.squaredNorm() > 0) push_more(set, responses_, c, more);
     }
     return all > 0 ? std::sqrt(changed / all) : 0;
 }
 
 // What the last sweep gained is carried on by `again` times where the ones before led.
-static void carry_on(State& state, double again) {
-    for (Press& press : state.presses) {
+void PressSolver::carry_on(PressSet& set, double again) {
+    for (Press& press : set.presses) {
         const Vec3 gain = press.push - press.before;
         press.way *= again;
         press.push += press.way;
         press.way += gain;
     }
-    for (std::size_t i = 0; i < state.apart.size(); ++i) {
-        const double gain = state.apart[i] - state.apart_before[i];
-        state.apart_way[i] *= again;
-        state.apart[i] += state.apart_way[i];
-        state.apart_way[i] += gain;
+    for (std::size_t i = 0; i < set.apart.size(); ++i) {
+        const double gain = set.apart[i] - apart_before_[i];
+        apart_way_[i] *= again;
+        set.apart[i] += apart_way_[i];
+        apart_way_[i] += gain;
     }
 }
 
-static double gained(const State& state) {
+static double gained(const PressSet& set) {
     double sum = 0;
-    for (const Press& press : state.presses) sum += (press.push - press.before).squaredNorm();
+    for (const Press& press : set.presses) sum += (press.push - press.before).squaredNorm();
     return sum;
 }
 
 // Gauss and Seidel alone gain a little less each time where many work against each other; what each sweep gains is
 // carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so
 // that no push leaves its cone.
-static int sweep_until_still(State& state, const Responses& responses) {
+int PressSolver::sweep_until_still(PressSet& set) {
     constexpr double enough = 1e-5;  // of all pushes, by a sweep: with a hundred times that a loaded knot creeps on by
                                      // its thickness every half second
     constexpr int most_sweeps = 60;
     double last = 0;
-    state.apart_way.assign(state.apart.size(), 0.0);
+    apart_way_.assign(set.apart.size(), 0.0);
     for (int sweeps = 1;; ++sweeps) {
-        for (Press& press : state.presses) press.before = press.push;
-        state.apart_before = state.apart;
-        if (sweep(state, responses) < enough || sweeps == most_sweeps) return sweeps;
-        const double now = gained(state);
-        carry_on(state, now < last ? now / last : 0);
+        for (Press& press : set.presses) press.before = press.push;
+        apart_before_ = set.apart;
+        if (sweep(set) < enough || sweeps == most_sweeps) return sweeps;
+        const double now = gained(set);
+        carry_on(set, now < last ? now / last : 0);
         last = now;
     }
 }
 
-int solve_together(State& state) {
-    if (state.presses.empty()) return 0;
-    const Responses responses = measure_responses(state);
-    state.apart.resize(3 * state.presses.size());
-    find_apart(state);
-    for (std::size_t c = 0; c < state.presses.size(); ++c)
-        measure_own(state.presses[c], responses.block<3, 3>(axes(c), axes(c)));
-    const int sweeps = sweep_until_still(state, responses);
-    part_presses(state, responses);
+int PressSolver::solve(State& state, PressSet& set, const Pieces& pieces) {
+    if (set.presses.empty()) return 0;
+    responses_.measure(state, set.presses, pieces);
+    find_apart(state, set);
+    for (std::size_t c = 0; c < set.presses.size(); ++c) measure_own(set.presses[c], responses_.block(c, c));
+    const int sweeps = sweep_until_still(set);
+    normals_.part(set, responses_, state.def.radius);
     return sweeps;
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::elastic

@@ -1,33 +1,33 @@
+#include "sim/thread/ftl/relaxation.hpp"
+
 #include <algorithm>
 
-#include "sim/thread/stages.hpp"
+#include "sim/thread/ftl/clip.hpp"
 
-namespace sim::thread {
+// Contacts and lengths in turn until neither is violated (block Gauss-Seidel), lengths last: they converge at once
+// where they can. What a few passes have not settled is solved with contacts and lengths together. A pass costs O(n +
+// rows).
 
-// No node leaves its bound, whatever stage moved it.
-void clip(State& state) {
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-        const Vec3 moved = state.nodes[i] - state.before[i];
-        const double distance2 = moved.squaredNorm(), bound = state.bound[i];
-        if (distance2 > bound * bound) state.nodes[i] = state.before[i] + bound / std::sqrt(distance2) * moved;
-    }
+namespace sim::thread::ftl {
+
+Relaxation::Relaxation(const State& state)
+    : lengths_(state.most_links()), capstan_(state.most_links()), coupled_(state.most_links()), bends_(state) {}
+
+double Relaxation::solve(State& state) {
+    return is_on_steel(state) ? capstan_.solve(state, lengths_) : lengths_.solve(state);
 }
 
-static double solve(State& state) {
-    return is_on_steel(state) ? glide(state) : solve_lengths(state);
-}
-
-static double pass(State& state, double (*contacts)(State&)) {
-    ++state.work;
-    const double overlap = contacts(state);
-    limit_bends(state);
+double Relaxation::pass(State& state, bool coupled) {
+    ++work;
+    const double overlap = coupled ? coupled_.solve(state, lengths_) : resolve_contacts(state);
+    bends_.limit(state);
     solve(state);
     clip(state);
     return overlap;
 }
 
 // Lengths to the end, contacts no more; returns the worst violation of both, 1 where tools must wait.
-static double settle(State& state) {
+double Relaxation::settle(State& state) {
     // Newton's method on a long chain may err at first and then converges at once.
     constexpr int least_solves = 6, most_solves = 12;  // a wrap that lies on steel takes more than a knot
     double stretch = 1, before = 2;
@@ -44,7 +44,7 @@ static double settle(State& state) {
 // strand drags a long one by a single crossing, each pass moves the crossing by the share of one link in the whole
 // strand: what a few passes have not settled is solved with contacts and lengths together. Near enough and no longer
 // coming nearer is settled too: a knot pulled tight has no more to give.
-double relax(State& state, Effort effort) {
+double Relaxation::relax(State& state, Effort effort) {
     constexpr int least_passes =
         4;  // two know what presses; with less than four a wrap drags by half more than it should
     constexpr int work_of_coupling = 9;  // 20 rows, measured; a knot has 10 to 50
@@ -56,7 +56,7 @@ double relax(State& state, Effort effort) {
     for (; passes < effort.passes && (passes < least_passes || overlap >= 1) && !stands_still(passes); ++passes) {
         aim(state);
         was = overlap;
-        overlap = pass(state, resolve_contacts);
+        overlap = pass(state, false);
     }
     // What a wrap and lengths alone leave is met by their own solve.
     const bool others_press = std::any_of(state.rows.begin(), state.rows.end(),
@@ -64,13 +64,13 @@ double relax(State& state, Effort effort) {
     const int couplings = others_press || state.on_steel.empty() ? effort.couplings : 0;
     double violation = overlap < 1 || stands_still(passes) || couplings == 0 ? settle(state) : overlap;
     for (int i = 1; i <= couplings && violation > 1 && !state.rows.empty(); ++i) {
-        state.work += work_of_coupling;
-        if (!state.on_steel.empty()) solve_lengths(state);  // coupling goes by its factors
+        work += work_of_coupling;
+        if (!state.on_steel.empty()) lengths_.solve(state);  // coupling goes by its factors
         aim(state);
-        overlap = pass(state, couple);
+        overlap = pass(state, true);
         if (overlap < 1 || i == couplings) violation = settle(state);
     }
     return violation;
 }
 
-}  // namespace sim::thread
+}  // namespace sim::thread::ftl

@@ -1,18 +1,37 @@
+#include "sim/thread/ftl/coupled_solver.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/stages.hpp"
 
-namespace sim::thread {
+// Where one strand drags a long one by a single crossing, passes over contacts and lengths in turn move the crossing by
+// the share of one link in the whole strand each. Here the rows that push are solved with all lengths at once: the
+// lengths, whose matrix is tridiagonal, are eliminated (Schur complement on the contacts), and the dense remainder of
+// at most 3 * 64 unknowns is solved with Coulomb's cones by projected Gauss-Seidel, its sweeps carried on as by
+// nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010].
+
+namespace sim::thread::ftl {
 
 using Mat3 = Eigen::Matrix3d;
 
+CoupledSolver::CoupledSolver(std::size_t most_links) {
+    pushed_.reserve(8 * most_links);
+    responses_.resized(3 * most_rows, 3 * most_rows);
+    for (Table* of_links : {&effects_, &answers_}) of_links->resized(8 * most_rows, 3 * most_rows);
+    touched_.reserve(8 * most_rows);
+    inverse_.reserve(8 * most_rows);
+    move_.reserve(most_links + 1);
+    weight_at_.reserve(most_links + 1);
+    change_.reserve(most_links);
+}
+
 // What a push at a row does to the lengths of the links around it: per link a vector, its scalar product with the push.
-static void add_effect(const State& state, PushedRow& row, int node, double weight) {
+void CoupledSolver::add_effect(const State& state, const LengthSolver& lengths, PushedRow& row, int node,
+                               double weight) const {
     const auto add = [&](int link, double sign) {
         if (link < 0 || link >= state.links()) return;
-        const Vec3 change = sign * state.inverse_mass[at(node)] * weight * state.unit[at(link)];
+        const Vec3 change = sign * state.inverse_mass[at(node)] * weight * lengths.unit(at(link));
         for (int i = 0; i < row.links; ++i)
             if (row.link[at(i)] == link) {
                 row.effect[at(i)] += change;
@@ -27,58 +46,50 @@ static void add_effect(const State& state, PushedRow& row, int node, double weig
     add(node, -1);
 }
 
-static void measure_effects(const State& state, PushedRow& out) {
+void CoupledSolver::measure_effects(const State& state, const LengthSolver& lengths, PushedRow& out) const {
     const Row& row = *out.row;
     out.apart = apart_of(state, row);
-    add_effect(state, out, row.link, 1 - row.s);
-    add_effect(state, out, row.link + 1, row.s);
+    add_effect(state, lengths, out, row.link, 1 - row.s);
+    add_effect(state, lengths, out, row.link + 1, row.s);
     if (row.against == Against::thread) {
-        add_effect(state, out, row.other, row.t - 1);
-        add_effect(state, out, row.other + 1, -row.t);
+        add_effect(state, lengths, out, row.other, row.t - 1);
+        add_effect(state, lengths, out, row.other + 1, -row.t);
     }
-}
-
-// Forward and backward through the factors of the last length solve.
-static void substitute(const State& state, std::vector<double>& x) {
-    x[0] *= state.pivot[0];
-    for (std::size_t k = 1; k < x.size(); ++k) x[k] = state.pivot[k] * (x[k] - state.lower[k] * x[k - 1]);
-    for (std::size_t k = x.size() - 1; k-- > 0;) x[k] -= state.upper[k] * x[k + 1];
 }
 
 // The inverse of the lengths' symmetric tridiagonal matrix at the links that rows touch, from the factors of the last
 // solve: its diagonal, and the share of an answer that reaches from each such link to the next.
-static void invert_lengths(State& state) {
-    std::vector<int>& touched = state.touched;
+void CoupledSolver::invert_lengths(const State& state, const LengthSolver& lengths) {
+    std::vector<int>& touched = touched_;
     touched.clear();
-    for (const PushedRow& row : state.pushed_rows)
-        touched.insert(touched.end(), row.link.begin(), row.link.begin() + row.links);
+    for (const PushedRow& row : pushed_) touched.insert(touched.end(), row.link.begin(), row.link.begin() + row.links);
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (PushedRow& row : state.pushed_rows)
+    for (PushedRow& row : pushed_)
         for (int i = 0; i < row.links; ++i)
             row.place[at(i)] =
                 static_cast<int>(std::lower_bound(touched.begin(), touched.end(), row.link[at(i)]) - touched.begin());
 
-    state.inverse.resize(touched.size());
+    inverse_.resize(touched.size());
     double diagonal = 0, share = 1;
     std::size_t next = touched.size();
-    for (std::size_t k = state.rest.size(); k-- > 0 && next > 0;) {
-        diagonal = state.pivot[k] + state.upper[k] * state.upper[k] * diagonal;
-        share *= -state.upper[k];
+    for (std::size_t k = state.rest_length.size(); k-- > 0 && next > 0;) {
+        diagonal = lengths.pivot(k) + lengths.upper(k) * lengths.upper(k) * diagonal;
+        share *= -lengths.upper(k);
         if (touched[next - 1] != static_cast<int>(k)) continue;
-        state.inverse[--next] = {diagonal, share};
+        inverse_[--next] = {diagonal, share};
         share = 1;
     }
 }
 
 // How the multipliers of those lengths answer a unit push at each row along each axis: a column an axis.
-static void answer(State& state) {
-    const auto& inverse = state.inverse;
-    const auto places = static_cast<Eigen::Index>(inverse.size()), columns = state.pushes.size();
-    auto effects = state.effects.resized(places, columns), answers = state.answers.resized(places, columns);
+void CoupledSolver::find_answers() {
+    const auto& inverse = inverse_;
+    const auto places = static_cast<Eigen::Index>(inverse.size()), columns = pushes_.size();
+    auto effects = effects_.resized(places, columns), answers = answers_.resized(places, columns);
     effects.setZero();
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
-        const PushedRow& row = state.pushed_rows[c];
+    for (std::size_t c = 0; c < pushed_.size(); ++c) {
+        const PushedRow& row = pushed_[c];
         for (int i = 0; i < row.links; ++i)
             effects.block<1, 3>(row.place[at(i)], axes(c)) = row.effect[at(i)].transpose();
     }
@@ -86,7 +97,7 @@ static void answer(State& state) {
         answers.row(a) = inverse[static_cast<std::size_t>(a)].diagonal * effects.row(a);
         if (a + 1 < places) answers.row(a) += inverse[static_cast<std::size_t>(a)].share * answers.row(a + 1);
     }
-    auto& from_left = state.answer_from_left;
+    auto& from_left = answer_from_left_;
     from_left.setZero(columns);
     for (Eigen::Index a = 0; a < places; ++a) {
         answers.row(a) += inverse[static_cast<std::size_t>(a)].diagonal * from_left;
@@ -95,9 +106,9 @@ static void answer(State& state) {
 }
 
 // What a push at `row` does to the points of every row from it on where they share nodes.
-static void add_direct(State& state, std::size_t d, Eigen::Map<Table::Matrix>& responses) {
-    const std::vector<PushedRow>& rows = state.pushed_rows;
-    std::vector<double>& weight_at = state.weight_at;
+void CoupledSolver::add_direct(const State& state, std::size_t d, Eigen::Map<Table::Matrix>& responses) {
+    const std::vector<PushedRow>& rows = pushed_;
+    std::vector<double>& weight_at = weight_at_;
     for (int i = 0; i < rows[d].nodes; ++i)
         weight_at[at(rows[d].node[at(i)])] += state.inverse_mass[at(rows[d].node[at(i)])] * rows[d].weight[at(i)];
     for (std::size_t c = d; c < rows.size(); ++c) {
@@ -109,9 +120,9 @@ static void add_direct(State& state, std::size_t d, Eigen::Map<Table::Matrix>& r
 }
 
 // The rows that move the thread most; what is left out is met by the passes before and after.
-static void collect(State& state) {
+void CoupledSolver::collect(State& state, const LengthSolver& lengths) {
     const double about_to_push = 0.05 * state.def.radius;  // of the answer's size where knots are tight
-    std::vector<PushedRow>& rows = state.pushed_rows;
+    std::vector<PushedRow>& rows = pushed_;
     rows.clear();
     for (Row& row : state.rows)
         if (!row.glides && (row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0)
@@ -119,13 +130,13 @@ static void collect(State& state) {
     const auto matters = [](const PushedRow& r) {
         return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance);
     };
-    if (rows.size() > most_coupled) {
+    if (rows.size() > most_rows) {
         std::sort(rows.begin(), rows.end(), [&](const PushedRow& a, const PushedRow& b) {
             return matters(a) != matters(b) ? matters(a) > matters(b) : a.row < b.row;
         });
-        rows.erase(rows.begin() + most_coupled, rows.end());
+        rows.erase(rows.begin() + most_rows, rows.end());
     }
-    for (PushedRow& row : rows) measure_effects(state, row);
+    for (PushedRow& row : rows) measure_effects(state, lengths, row);
 }
 
 // Times a slip across the normal: the push that would undo it, if `own` is how the points give way to pushes. A strand
@@ -137,8 +148,8 @@ static Mat3 push_against(const Vec3& normal, const Mat3& own, double least) {
     return (gives - trace * across) / determinant;
 }
 
-static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
-    PushedRow& row = state.pushed_rows[c];
+void CoupledSolver::measure_own(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
+    PushedRow& row = pushed_[c];
     row.own = responses.block<3, 3>(axes(c), axes(c));
     // However long the strand that must come along: all of it gives way by no less than this.
     const double least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
@@ -148,14 +159,15 @@ static void measure_own(State& state, std::size_t c, const Eigen::Map<Table::Mat
 
 // How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric:
 // what a push at one row does to another, it does in return.
-static void measure_responses(State& state) {
-    const std::vector<PushedRow>& rows = state.pushed_rows;
+void CoupledSolver::measure_responses(const State& state, const LengthSolver& lengths) {
+    const std::vector<PushedRow>& rows = pushed_;
     const Eigen::Index columns = axes(rows.size());
-    state.pushes.setZero(columns);
-    invert_lengths(state);
-    answer(state);
-    const auto answers = state.answers.resized(static_cast<Eigen::Index>(state.inverse.size()), columns);
-    auto responses = state.responses.resized(columns, columns);
+    pushes_.setZero(columns);
+    weight_at_.resize(state.nodes.size());
+    invert_lengths(state, lengths);
+    find_answers();
+    const auto answers = answers_.resized(static_cast<Eigen::Index>(inverse_.size()), columns);
+    auto responses = responses_.resized(columns, columns);
     responses.setZero();
     for (std::size_t d = 0; d < rows.size(); ++d) {
         const Eigen::Index others = columns - axes(d);
@@ -170,22 +182,22 @@ static void measure_responses(State& state) {
 }
 
 // One row of a sweep; returns its overlap before, 1 where it is small enough.
-static double push(State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
-    const PushedRow& pushed = state.pushed_rows[c];
+double CoupledSolver::push(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
+    const PushedRow& pushed = pushed_[c];
     Row& row = *pushed.row;
-    const Vec3 apart = pushed.apart + responses.middleRows<3>(axes(c)) * state.pushes;
+    const Vec3 apart = pushed.apart + responses.middleRows<3>(axes(c)) * pushes_;
     const double distance = apart.dot(row.normal);
     if (distance >= row.target && row.normal_push == 0) return 0;
     const Vec3 normal = add_normal_push(row, apart, pushed.mobility) * row.normal;
-    const Vec3 slip = slip_of(row, apart + pushed.own * normal);
-    state.pushes.segment<3>(axes(c)) += normal + add_tangent_push(row, slip, pushed.against * slip);
+    const Vec3 slip = contact::slip_of(row, apart + pushed.own * normal);
+    pushes_.segment<3>(axes(c)) += normal + add_tangent_push(row, slip, pushed.against * slip);
     return std::max(over_goal(state, row, distance), row.slip / (slip_goal * 2 * state.def.radius));
 }
 
-static double sweep(State& state) {
-    const auto responses = state.responses.resized(state.pushes.size(), state.pushes.size());
+double CoupledSolver::sweep(const State& state) {
+    const auto responses = responses_.resized(pushes_.size(), pushes_.size());
     double worst = 0;
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) worst = std::max(worst, push(state, c, responses));
+    for (std::size_t c = 0; c < pushed_.size(); ++c) worst = std::max(worst, push(state, c, responses));
     return worst;
 }
 
@@ -195,32 +207,31 @@ static void add_to_row(Row& row, const Vec3& push) {
     row.tangent_push += push - normal * row.normal;
 }
 
-static void go_on_by(State& state, double again) {
-    state.way *= again;
-    state.pushes += state.way;
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c)
-        add_to_row(*state.pushed_rows[c].row, state.way.segment<3>(axes(c)));
+void CoupledSolver::go_on_by(double again) {
+    way_ *= again;
+    pushes_ += way_;
+    for (std::size_t c = 0; c < pushed_.size(); ++c) add_to_row(*pushed_[c].row, way_.segment<3>(axes(c)));
 }
 
 // Where rows of a knot work against each other sweeps alone gain a little less each time, for hundreds of times. What
 // each gains is carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1], and
 // twenty are enough. A sweep is always last, so that no push leaves its cone.
-static double solve_pushes(State& state) {
+double CoupledSolver::solve_pushes(const State& state) {
     constexpr int most_sweeps = 20;
     constexpr double small_enough = 0.3;  // a sweep's overlap is from before it
     double worst = 0, size_before = 0;
-    state.way.setZero(state.pushes.size());
+    way_.setZero(pushes_.size());
     for (int i = 1; i <= most_sweeps; ++i) {
-        state.pushes_before = state.pushes;
+        pushes_before_ = pushes_;
         worst = sweep(state);
         if (worst < small_enough) break;
-        state.gain = state.pushes - state.pushes_before;
-        const double size = state.gain.squaredNorm();
+        gain_ = pushes_ - pushes_before_;
+        const double size = gain_.squaredNorm();
         if (size < size_before && i < most_sweeps)
-            go_on_by(state, size / size_before);
+            go_on_by(size / size_before);
         else
-            state.way.setZero();
-        state.way += state.gain;
+            way_.setZero();
+        way_ += gain_;
         size_before = size;
     }
     return worst;
@@ -241,37 +252,42 @@ static double share_within_bounds(const State& state, const std::vector<Vec3>& m
 
 // All pushes at once, and what the lengths answer to them to first order. The pushes alone can be large where a taut
 // strand lies on something: only what remains of them after the lengths have answered is a motion.
-static void move_by_pushes(State& state) {
-    std::vector<Vec3>& move = state.coupled_move;
-    std::vector<double>& change = state.multiplier;
+void CoupledSolver::move_by_pushes(State& state, const LengthSolver& lengths) {
+    std::vector<Vec3>& move = move_;
+    std::vector<double>& change = change_;
     move.assign(state.nodes.size(), Vec3::Zero());
-    std::fill(change.begin(), change.end(), 0.0);
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c) {
-        const PushedRow& row = state.pushed_rows[c];
-        const Vec3 push = state.pushes.segment<3>(axes(c));
+    change.assign(state.rest_length.size(), 0.0);
+    for (std::size_t c = 0; c < pushed_.size(); ++c) {
+        const PushedRow& row = pushed_[c];
+        const Vec3 push = pushes_.segment<3>(axes(c));
         for (int i = 0; i < row.links; ++i) change[at(row.link[at(i)])] += row.effect[at(i)].dot(push);
         for (int i = 0; i < row.nodes; ++i)
             move[at(row.node[at(i)])] += state.inverse_mass[at(row.node[at(i)])] * row.weight[at(i)] * push;
     }
-    substitute(state, change);
+    lengths.substitute(change);
     for (std::size_t k = 0; k < change.size(); ++k) {
-        const Vec3 pull = change[k] * state.unit[k];
+        const Vec3 pull = change[k] * lengths.unit(k);
         move[k] += state.inverse_mass[k] * pull;
         move[k + 1] -= state.inverse_mass[k + 1] * pull;
     }
     const double share = share_within_bounds(state, move);
     for (std::size_t i = 0; i < move.size(); ++i) state.nodes[i] += share * move[i];
     for (std::size_t k = 0; k < change.size(); ++k) state.pulled[k] -= share * change[k];
-    for (std::size_t c = 0; c < state.pushed_rows.size(); ++c)
-        add_to_row(*state.pushed_rows[c].row, (share - 1) * state.pushes.segment<3>(axes(c)));
+    for (std::size_t c = 0; c < pushed_.size(); ++c)
+        add_to_row(*pushed_[c].row, (share - 1) * pushes_.segment<3>(axes(c)));
 }
 
-double couple(State& state) {
-    collect(state);
-    measure_responses(state);
+double CoupledSolver::solve(State& state, const LengthSolver& lengths) {
+    collect(state, lengths);
+    measure_responses(state, lengths);
     const double worst = solve_pushes(state);
-    move_by_pushes(state);
+    move_by_pushes(state, lengths);
     return worst;
 }
 
-}  // namespace sim::thread
+Vec3 CoupledSolver::foreseen(std::size_t c) {
+    const auto responses = responses_.resized(pushes_.size(), pushes_.size());
+    return pushed_[c].apart + responses.middleRows<3>(axes(c)) * pushes_;
+}
+
+}  // namespace sim::thread::ftl

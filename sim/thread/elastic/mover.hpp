@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "sim/thread/contact/audit.hpp"
+#include "sim/thread/contact/detection.hpp"
+#include "sim/thread/elastic/advance.hpp"
+#include "sim/thread/elastic/find_presses.hpp"
+#include "sim/thread/elastic/press_solver.hpp"
+
+namespace sim::thread::elastic {
+
+/// A thread that moves by forces: an elastic rod with contacts and Coulomb friction.
+class Mover {
+  public:
+    /// As contact::State; `def` is elastic, and there are at least 3 nodes.
+    Mover(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts);
+
+    /// What is carried from tick to tick.
+    const State& state() const { return state_; }
+    /// What is carried from tick to tick, for who changes links between ticks.
+    State& state() { return state_; }
+
+    /// All of a tick but what is told of it; State::input is known. Eight steps at most, each O(n + m^2) for m contacts
+    /// that touch.
+    void tick(TickReport& report);
+    /// Into State::surface_forces, after the tick: pushes and friction of what presses on the surface.
+    void find_surface_forces();
+
+    /// Whether links must stay as they are in this tick: never.
+    bool keeps_links() const { return false; }
+    /// A node more has come between those of `link`, at `share` of it.
+    void split(std::size_t link, double share);
+    /// A node, neither end of its piece, is no more.
+    void join_at(std::size_t node);
+    /// Nodes between these two are no more, nor what pressed on their links.
+    void leave_out(std::size_t first, std::size_t second);
+    /// Links have changed: what there is one of per link, and what was known of the surroundings, is begun anew.
+    void renew();
+    /// The thread was cut: nothing of it jams.
+    void forget_jams() {}
+    /// As holds do: nothing moves the nodes of pieces that sleep.
+    void hold_what_sleeps();
+    /// Wakes the piece that a link is of.
+    void wake_at(std::size_t link);
+
+  private:
+    /// Of a tick.
+    struct Left {
+        double motion = 1;     // share that tools have still to make
+        bool is_taut = false;  // they wait: they pulled as hard as any may
+    };
+    void answer(double left, double tools, const Motion& motion, TickReport& report);
+    Left step(double left, const Motion& motion, TickReport& report);
+    void end_step(TickReport& report);
+    void add_changes();
+    double share_within_bounds() const;
+    void set_progress(double progress);
+
+    State state_;
+    contact::Detection detection_;
+    contact::Audit audit_;
+    Advance advance_;
+    PressFinder finder_;
+    IslandSolver solver_;
+    PressSet set_;               // of this step
+    std::vector<Hold> targets_;  // of held nodes in this step
+    std::vector<Vec3> forces_;   // per node: what pushes have become since the rod's step was found [N]
+    std::vector<int> stirred_;   // links of pieces that wake
+};
+
+}  // namespace sim::thread::elastic

@@ -1,0 +1,154 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "sim/geometry/at.hpp"
+#include "sim/thread/elastic/press_solver.hpp"
+
+// What contacts push along their normals is a linear complementarity problem: none pulls, none is too near, and what
+// pushes is just where it would be. Block principal pivoting [Judice and Pires 1994] from the contacts that push now:
+// all that are wrong change sides at once, one at a time where that goes on without gain. Direct and exact where sweeps
+// creep; a Cholesky factorisation a change, of which there are few as the set is nearly right. O(m^3) for m that push.
+
+namespace sim::thread::elastic {
+
+namespace {
+
+using Matrix = Eigen::Map<contact::Table::Matrix>;
+
+double normal_push(const Press& press) {
+    return press.push.dot(press.normal);
+}
+
+// How much nearer contact c is than it would be; negative: farther.
+double lacks(const PressSet& set, std::size_t c) {
+    const Press& press = set.presses[c];
+    const Vec3& n = press.normal;
+    return (press.rest - set.apart_of(c)).dot(n) - press.give * normal_push(press);
+}
+
+bool share_piece(const Press& a, const Press& b) {
+    return &a == &b || std::any_of(a.piece.begin(), a.piece.end(), [&](int piece) {
+        return piece >= 0 && (piece == b.piece[0] || piece == b.piece[1]);
+    });
+}
+
+// What does not push any more drags nothing either.
+void let_go(PressSet& set, const Responses& responses, std::size_t c) {
+    const Vec3 push = set.presses[c].push;
+    if (push.squaredNorm() > 0) push_more(set, responses, c, -push);
+}
+
+void drag_within_cone(PressSet& set, const Responses& responses) {
+    for (std::size_t c = 0; c < set.presses.size(); ++c) {
+        const Press& press = set.presses[c];
+        const double normal = normal_push(press), most = press.friction * std::max(0.0, normal);
+        const Vec3 drag = press.push - normal * press.normal;
+        if (const double size = drag.norm(); size > most) push_more(set, responses, c, (most / size - 1) * drag);
+    }
+}
+
+void take_back(PressSet& set, const Responses& responses) {
+    for (std::size_t c = 0; c < set.presses.size(); ++c)
+        push_more(set, responses, c, set.presses[c].before - set.presses[c].push);
+}
+
+}  // namespace
+
+// How contacts that push part for unit pushes across.
+Matrix NormalSolver::responses_across(const PressSet& set, const Responses& responses) {
+    const std::vector<int>& pushing = pushing_;
+    const auto size = static_cast<Eigen::Index>(pushing.size());
+    Matrix across = across_.resized(size, size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const auto c = static_cast<std::size_t>(pushing[static_cast<std::size_t>(i)]);
+        for (Eigen::Index j = 0; j <= i; ++j) {
+            const auto d = static_cast<std::size_t>(pushing[static_cast<std::size_t>(j)]);
+            across(i, j) = share_piece(set.presses[c], set.presses[d])
+                               ? set.presses[c].normal.dot(responses.block(c, d) * set.presses[d].normal)
+                               : 0;
+        }
+    }
+    return across;
+}
+
+// All that push do so as if they could pull as well.
+bool NormalSolver::solve_pushing(PressSet& set, const Responses& responses) {
+    if (pushing_.empty()) return true;
+    constexpr double softer =
+        1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
+    Matrix across = responses_across(set, responses);
+    const double more = softer * across.diagonal().mean();
+    for (Eigen::Index i = 0; i < across.rows(); ++i) across(i, i) += set.presses[at(pushing_[at(i)])].give + more;
+    const Eigen::LLT<Eigen::Ref<contact::Table::Matrix>> in_place(across);
+    if (in_place.info() != Eigen::Success) return false;
+    change_.resize(pushing_.size());
+    for (std::size_t i = 0; i < pushing_.size(); ++i) change_[i] = lacks(set, static_cast<std::size_t>(pushing_[i]));
+    Eigen::Map<Eigen::VectorXd> change(change_.data(), across.rows());
+    across.triangularView<Eigen::Lower>().solveInPlace(change);
+    across.transpose().triangularView<Eigen::Upper>().solveInPlace(change);
+    for (std::size_t i = 0; i < pushing_.size(); ++i) {
+        const auto c = static_cast<std::size_t>(pushing_[i]);
+        push_more(set, responses, c, change_[i] * set.presses[c].normal);
+    }
+    return true;
+}
+
+void NormalSolver::find_wrong(const PressSet& set, double near) {
+    wrong_.clear();
+    for (std::size_t c = 0; c < set.presses.size(); ++c) {
+        const bool pushes = std::binary_search(pushing_.begin(), pushing_.end(), static_cast<int>(c));
+        if (pushes ? normal_push(set.presses[c]) < 0 : lacks(set, c) > near) wrong_.push_back(static_cast<int>(c));
+    }
+}
+
+// What is wrong changes sides.
+void NormalSolver::change_wrong(PressSet& set, const Responses& responses) {
+    for (const int c : wrong_) {
+        const auto known = std::lower_bound(pushing_.begin(), pushing_.end(), c);
+        if (known != pushing_.end() && *known == c) {
+            pushing_.erase(known);
+            let_go(set, responses, static_cast<std::size_t>(c));
+        } else {
+            pushing_.insert(known, c);
+        }
+    }
+}
+
+// Until none pulls and none is too near.
+bool NormalSolver::settle_across(PressSet& set, const Responses& responses, double near) {
+    constexpr int patience = 3, most = 30;
+    std::size_t least = set.presses.size() + 1;
+    int left = patience;
+    for (int turn = 0; turn < most && solve_pushing(set, responses); ++turn) {
+        find_wrong(set, near);
+        if (wrong_.empty()) return true;
+        if (wrong_.size() < least) {
+            least = wrong_.size();
+            left = patience;
+        } else if (--left < 0) {
+            wrong_.assign(1, wrong_.back());  // one at a time ends for sure
+        }
+        change_wrong(set, responses);
+    }
+    return false;
+}
+
+void NormalSolver::part(PressSet& set, const Responses& responses, double radius) {
+    constexpr int rounds = 2;  // of pushes across and drags within what those allow
+    const double near = 1e-2 * 2 * radius;
+    const auto is_too_near = [&](std::size_t c) { return lacks(set, c) > near; };
+    std::size_t right = 0;
+    while (right < set.presses.size() && !is_too_near(right)) ++right;
+    if (right == set.presses.size()) return;
+    pushing_.clear();
+    for (Press& press : set.presses) press.before = press.push;
+    for (std::size_t c = 0; c < set.presses.size(); ++c) {
+        if (normal_push(set.presses[c]) > 0) pushing_.push_back(static_cast<int>(c));
+    }
+    for (int round = 0; round < rounds; ++round) {
+        if (!settle_across(set, responses, near)) return take_back(set, responses);
+        if (round + 1 < rounds) drag_within_cone(set, responses);
+    }
+}
+
+}  // namespace sim::thread::elastic

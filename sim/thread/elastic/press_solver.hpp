@@ -1,0 +1,71 @@
+#pragma once
+#include <vector>
+
+#include "sim/thread/elastic/responses.hpp"
+
+namespace sim::thread::elastic {
+
+/// Pushes contact c by `more` [N] than it does, and moves the points of all. O(contacts that share a piece with it).
+void push_more(PressSet& set, const Responses& responses, std::size_t c, const Vec3& more);
+
+/// The normal forces of all contacts together: a linear complementarity problem, by block principal pivoting.
+class NormalSolver {
+  public:
+    /// Where sweeps left a contact a hundredth of a thickness nearer than it would be: what all push across, to
+    /// rounding, with what they drag as it is but within its cone. A Cholesky factorisation of the contacts that push
+    /// for each change of the set. `radius`: of the thread [m].
+    void part(PressSet& set, const Responses& responses, double radius);
+
+  private:
+    Eigen::Map<contact::Table::Matrix> responses_across(const PressSet& set, const Responses& responses);
+    bool solve_pushing(PressSet& set, const Responses& responses);
+    bool settle_across(PressSet& set, const Responses& responses, double near);
+    void find_wrong(const PressSet& set, double near);
+    void change_wrong(PressSet& set, const Responses& responses);
+
+    std::vector<int> pushing_;    // contacts that push, increasing
+    std::vector<int> wrong_;      // contacts that pull, or are too near and do not push
+    std::vector<double> change_;  // of each push [N]
+    contact::Table across_;       // how contacts that push part for unit pushes across [m/N]
+};
+
+/// What an elastic thread touches, solved together with it.
+class PressSolver {
+  public:
+    /// All of a set, until they push as Coulomb wants it, against the rod whose step with the pushes as they were is
+    /// known; returns how often all were looked at.
+    int solve(State& state, PressSet& set, const Pieces& pieces);
+
+  private:
+    double sweep(PressSet& set) const;
+    void carry_on(PressSet& set, double again);
+    int sweep_until_still(PressSet& set);
+
+    Responses responses_;
+    NormalSolver normals_;
+    std::vector<double> apart_before_;  // PressSet::apart as a sweep began
+    std::vector<double> apart_way_;     // where sweeps lead
+};
+
+/// Islands of contacts, each solved by itself.
+class IslandSolver {
+  public:
+    /// For so many links at most.
+    explicit IslandSolver(std::size_t most_links);
+
+    /// As PressSolver::solve(), island by island; returns the most sweeps that one took.
+    int solve(State& state, PressSet& set);
+
+  private:
+    int island_of(int piece) const;
+    int island_of(const Press& press) const;
+    void find_islands(const State& state, const PressSet& set);
+    int solve_island(State& state, PressSet& set, int island);
+
+    PressSolver solver_;
+    Pieces pieces_;
+    std::vector<int> island_;  // of each piece the first in its island
+    PressSet alone_;           // the presses of one island, while it is solved
+};
+
+}  // namespace sim::thread::elastic

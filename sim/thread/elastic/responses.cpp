@@ -1,0 +1,198 @@
+#include "sim/thread/elastic/responses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/geometry/at.hpp"
+#include "sim/geometry/lane.hpp"
+
+// The Delassus matrix W = J A^-1 J^T of the contacts' Jacobian J and the rod's band matrix A, by the columns of A^-1 at
+// the nodes that touch, not by a solve a contact: a knot's contacts share nodes. Pieces of a cut thread answer each by
+// itself.
+
+namespace sim::thread::elastic {
+
+using geometry::Lane;
+
+constexpr std::size_t beyond = 3;  // numbers behind the last, as four are read at once
+
+// How much of a contact is at each of its nodes, always four, and where those have what it acts on.
+struct Weighing {
+    std::array<double, 4> weight;
+    std::array<Eigen::Index, 4> place;
+
+    /// Four numbers of what the contact makes of it.
+    Lane from(const double* first) const {
+        Lane sum;
+#pragma GCC unroll 4
+        for (std::size_t k = 0; k < 4; ++k) sum += Lane(weight[k]) * Lane::from(first + place[k]);
+        return sum;
+    }
+};
+
+void Pieces::find(const State& state) {
+    of_node.assign(1, 0);
+    for (std::size_t k = 0; k < state.rest_length.size(); ++k)
+        of_node.push_back(of_node.back() + (state.is_cut(k) ? 1 : 0));
+    count = at(of_node.back() + 1);
+}
+
+void Responses::reserve(std::size_t contacts, std::size_t nodes) {
+    constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
+    table_.reserve(9 * contacts * contacts, unwritten);
+    inverses_.assign(9 * nodes * nodes, unwritten);
+}
+
+Responses::Block Responses::block(std::size_t c, std::size_t d) const {
+    return Block(table_.data() + axes(c) * size_ + axes(d), Eigen::OuterStride<>(size_));
+}
+
+void Responses::find_touching(const std::vector<Press>& presses) {
+    touching_.clear();
+    for (const Press& press : presses)
+        touching_.insert(touching_.end(), press.pair.node.begin(), press.pair.node.begin() + press.pair.nodes);
+    std::sort(touching_.begin(), touching_.end());
+    touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
+}
+
+// Where each contact's nodes begin among those that touch, three axes each, and of which pieces they are.
+void Responses::find_places(const State& state, std::vector<Press>& presses, const Pieces& pieces) {
+    place_.resize(state.nodes.size());
+    first_touching_.assign(pieces.count + 1, 0);
+    for (std::size_t k = 0; k < touching_.size(); ++k) {
+        place_[at(touching_[k])] = axes(k);
+        first_touching_[at(pieces.of_node[at(touching_[k])]) + 1] = k + 1;
+    }
+    for (std::size_t piece = 0; piece < pieces.count; ++piece)
+        first_touching_[piece + 1] = std::max(first_touching_[piece + 1], first_touching_[piece]);
+    for (Press& press : presses) {
+        const Pair& pair = press.pair;
+        press.place = {};
+        for (int k = 0; k < pair.nodes; ++k) press.place[at(k)] = place_[at(pair.node[at(k)])];
+        press.piece = {-1, -1};
+        if (pair.nodes > 0)
+            press.piece = {pieces.of_node[at(pair.node[0])], pieces.of_node[at(pair.node[at(pair.nodes - 1)])]};
+    }
+}
+
+// The contacts that are of one of two pieces, or of one.
+void Responses::add_answers(const std::vector<Press>& presses, const std::array<int, 2>& pieces) {
+    const auto is_one = [&](int piece) { return piece >= 0 && (piece == pieces[0] || piece == pieces[1]); };
+    const std::size_t first = answering_.size();
+    for (std::size_t c = 0; c < presses.size(); ++c) {
+        if (!is_one(presses[c].piece[0]) && !is_one(presses[c].piece[1])) continue;
+        if (answering_.size() > first && answering_.back().past == c)
+            ++answering_.back().past;
+        else
+            answering_.push_back({c, c + 1});
+    }
+    first_answer_.push_back(answering_.size());
+}
+
+// None to a contact that nothing moves, those of each piece, then of each contact between two.
+void Responses::find_answers(std::vector<Press>& presses, const Pieces& all) {
+    first_answer_.assign(2, 0), answering_.clear();
+    for (std::size_t piece = 0; piece < all.count; ++piece) add_answers(presses, {static_cast<int>(piece), -1});
+    for (Press& press : presses) {
+        press.answers = static_cast<std::size_t>(press.piece[0] + 1);
+        if (press.piece[0] == press.piece[1]) continue;
+        press.answers = first_answer_.size() - 1;
+        add_answers(presses, press.piece);
+    }
+}
+
+std::span<const Run> Responses::answers_to(const Press& press) const {
+    const std::size_t list = press.answers;
+    return std::span(answering_).subspan(first_answer_[list], first_answer_[list + 1] - first_answer_[list]);
+}
+
+// It is symmetric: what is beyond the diagonal was found.
+void Responses::mirror(const std::vector<Press>& presses) {
+    auto matrix = table_.resized(size_, size_);
+    for (std::size_t d = 0; d < presses.size(); ++d) {
+        matrix.block<3, 3>(axes(d), axes(d)).transposeInPlace();
+        for (const Run& run : answers_to(presses[d]))
+            for (std::size_t c = std::max(run.first, d + 1); c < run.past; ++c)
+                matrix.block<3, 3>(axes(c), axes(d)) = matrix.block<3, 3>(axes(d), axes(c)).transpose();
+    }
+}
+
+// Of each piece by itself: pieces know nothing of each other.
+void Responses::find_inverses(State& state, const Pieces& pieces) {
+    first_inverse_.assign(1, 0);
+    const auto nodes_of = [&](std::size_t piece) {
+        return std::span(touching_).subspan(first_touching_[piece],
+                                            first_touching_[piece + 1] - first_touching_[piece]);
+    };
+    for (std::size_t piece = 0; piece < pieces.count; ++piece) {
+        const std::size_t size = 3 * nodes_of(piece).size();
+        first_inverse_.push_back(first_inverse_.back() + size * size);
+    }
+    if (const std::size_t all = first_inverse_.back() + beyond; inverses_.size() < all) inverses_.resize(all);
+    for (std::size_t piece = 0; piece < pieces.count; ++piece)
+        state.rod.matrix().inverse_at(nodes_of(piece), inverses_.data() + first_inverse_[piece]);
+}
+
+// What of a contact acts on a piece: its nodes in the columns of that one's inverse, for an axis. Others have no weight
+// there.
+static Weighing on_piece(const Press& press, Eigen::Index first, Eigen::Index rows, Eigen::Index axis) {
+    Weighing weighing{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::Index own = press.place[k] - first;
+        const bool is_of_it = press.pair.weight[k] != 0 && own >= 0 && own < rows;
+        weighing.weight[k] = is_of_it ? press.pair.weight[k] : 0;
+        weighing.place[k] = is_of_it ? (own + axis) * rows : 0;
+    }
+    return weighing;
+}
+
+// How the nodes that touch, of a contact's pieces, move for a unit push of it along an axis.
+void Responses::find_moves(const Press& press, Eigen::Index axis) {
+    const auto move = [&](std::size_t piece) {
+        const Weighing weighing = on_piece(press, axes(first_touching_[piece]),
+                                           axes(first_touching_[piece + 1] - first_touching_[piece]), axis);
+        const double* const inverse = inverses_.data() + first_inverse_[piece];
+        double* const moves = moves_.data() + axes(first_touching_[piece]);
+        const Eigen::Index rows = axes(first_touching_[piece + 1] - first_touching_[piece]);
+        Eigen::Index i = 0;
+        for (; i + 4 <= rows; i += 4) weighing.from(inverse + i).to(moves + i);
+        if (i == rows) return;
+        const Lane rest = weighing.from(inverse + i);
+        for (std::size_t k = 0; i < rows; ++i, ++k) moves[i] = rest[k];
+    };
+    const auto [low, high] = std::minmax(press.piece[0], press.piece[1]);
+    if (low >= 0) move(at(low));
+    if (high > low) move(at(high));
+}
+
+void Responses::forget_moves(const Press& press) {
+    for (const int piece : press.piece)
+        if (piece >= 0)
+            std::fill(moves_.begin() + axes(first_touching_[at(piece)]),
+                      moves_.begin() + axes(first_touching_[at(piece) + 1]), 0.0);
+}
+
+void Responses::measure(State& state, std::vector<Press>& presses, const Pieces& pieces) {
+    find_touching(presses);
+    find_places(state, presses, pieces);
+    find_answers(presses, pieces);
+    find_inverses(state, pieces);
+    size_ = axes(presses.size());
+    auto matrix = table_.resized(size_, size_);
+    moves_.assign(3 * touching_.size() + beyond + 1, 0.0);  // four numbers even where nothing can move
+    for (std::size_t d = 0; d < presses.size(); ++d) {
+        for (Eigen::Index a = 0; a < 3; ++a) {
+            find_moves(presses[d], a);
+            double* const row = matrix.row(axes(d) + a).data();
+            std::fill_n(row + 3 * d, 3, 0.0);  // where nothing moves
+            for (const Run& run : answers_to(presses[d]))
+                for (std::size_t c = std::max(run.first, d); c < run.past; ++c)
+                    Weighing{presses[c].pair.weight, presses[c].place}.from(moves_.data()).three_to(row + 3 * c);
+        }
+        forget_moves(presses[d]);
+    }
+    mirror(presses);
+}
+
+}  // namespace sim::thread::elastic

@@ -1,0 +1,54 @@
+#pragma once
+#include <vector>
+
+#include "sim/thread/contact/tools.hpp"
+#include "sim/thread/ftl/state.hpp"
+
+// Step-size control: how far tools dare to go in a substep, and when they wait.
+namespace sim::thread::ftl {
+
+using contact::Motion;
+
+/// Which tools move: one group, or all. Tools are numbered from 0; what nobody holds is -1.
+struct Movers {
+    std::size_t first;  ///< Of State::progress.
+    std::size_t past;   ///< Of State::progress.
+    std::size_t pace;   ///< Of State::paces.
+
+    bool include(int owner) const {
+        const auto group = static_cast<std::size_t>(owner + 1);
+        return group >= first && group < past;
+    }
+};
+
+/// What tools ask for in a tick.
+struct Asked {
+    std::vector<Vec3> ways;  ///< Of what is held, then of the ends of their own parts [m].
+    Motion motion;           ///< The longest of them.
+
+    /// Of these tools in this tick.
+    void collect(const State& state, const Movers& movers);
+    /// A hand that trembles or pulls harder asks for the same, one that turns or stops does not.
+    bool is_much_the_same(const State& state, const std::vector<Vec3>& refused) const;
+};
+
+/// Share of the whole tick's motion that one substep may make, 0..1: no node farther than its own bound, no tool part
+/// into the thread by more than the thread's radius. O(n + contacts).
+double admissible_share(const State& state, const Movers& movers, const Motion& motion);
+
+/// Whether what is jammed waits in this tick; counts down the ticks that it still does.
+bool waits(const State& state, Pace& pace, const Asked& asked);
+/// After a substep that was refused: what is jammed is tried again after 1, 3, 7 ... ticks, a second at last: nothing
+/// has changed meanwhile.
+void trust_less(Pace& pace);
+/// After one that was accepted: a hard step costs the same however short it is, so it too may become longer; slower,
+/// for a refused one quarters it again.
+void trust_more(Pace& pace, bool was_easy);
+/// The thread has moved: what it refused a while ago it may grant now.
+void wake(State& state);
+/// Steps so short are worked at for several ticks.
+inline bool creeps(const Pace& pace) {
+    return pace.trust < 0.125;
+}
+
+}  // namespace sim::thread::ftl
