@@ -15,7 +15,7 @@ using sim::geometry::Vec3;
 /// advice to stay above 0.1) were chosen for objects of about one unit; jaws, threads and vessel walls are about 1 mm.
 constexpr double bullet_unit = 1e-3;
 
-/// The Bullet bodies of the bench, and who is near whom. Everything outside is in metres.
+/// The Bullet bodies of a ToolWorld, and who is near whom. Everything outside is in metres.
 class BulletWorld {
   public:
     explicit BulletWorld(double metres_per_unit = bullet_unit);

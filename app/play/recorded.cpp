@@ -1,7 +1,7 @@
 #include "app/play/recorded.hpp"
 
 #include "app/fault.hpp"
-#include "instruments/bench.hpp"
+#include "instruments/tool_world.hpp"
 
 namespace app {
 

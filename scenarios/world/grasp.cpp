@@ -149,7 +149,7 @@ void World::close_onto_strands(int number) {
         tool.grasps.swap(flat_);
     } else {
         tool.now.jaw = tool.before.jaw;
-        bench_.set_pose(number, tool.now);
+        tool_world_.set_pose(number, tool.now);
     }
 }
 

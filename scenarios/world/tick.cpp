@@ -63,7 +63,7 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
             next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
         if (tool.def.kind == instruments::Kind::approximator) next = by_screw(tool, next, def_.tick_s);
         if (std::isfinite(tool.def.pull)) next = by_feel(static_cast<int>(i), next);
-        const instruments::Advance advance = bench_.advance(static_cast<int>(i), next);
+        const instruments::Advance advance = tool_world_.advance(static_cast<int>(i), next);
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
@@ -150,7 +150,7 @@ void World::let_tools_wait() {
         if (share < 1) {
             tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
                         tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
-            bench_.set_pose(static_cast<int>(i), tool.now);
+            tool_world_.set_pose(static_cast<int>(i), tool.now);
             if (!tool.stopped) tell_what_holds_up(tool, "the thread");
             for (Needle& needle : needles_)
                 if (needle.holder.tool == static_cast<int>(i)) needle.now = needle.led_by(tool.now.pose);

@@ -85,10 +85,10 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
       wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
       targets_(wall_.tree().triangles()),
       strength_{def.thread.break_force} {
-    if (!surface.empty()) bench_.add_surface(std::move(surface));
+    if (!surface.empty()) tool_world_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < def.instruments.size(); ++i) {
         const auto kind = def.instruments[i].kind;
-        bench_.set_pose(bench_.add_tool(kind), start[i]);
+        tool_world_.set_pose(tool_world_.add_tool(kind), start[i]);
         tools_.push_back(
             {def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
         tools_.back().grasps.reserve(16);

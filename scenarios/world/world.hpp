@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "instruments/bench.hpp"
 #include "instruments/needle.hpp"
+#include "instruments/tool_world.hpp"
 #include "scenarios/world/defs.hpp"
 #include "scenarios/world/measure.hpp"
 #include "scenarios/world/moving_wall.hpp"
@@ -212,7 +212,7 @@ class World {
     std::vector<sim::thread::SurfaceGap> gaps_;  // and this
     bool wall_is_new_ = false;                   // its triangles have other numbers than the thread knows
     double wall_moved_ = 0;                      // since the last tick [m]
-    instruments::Bench bench_;
+    instruments::ToolWorld tool_world_;
     std::vector<Tool> tools_;
     std::vector<Needle> needles_;
     std::size_t taken_ = 0, in_use_ = 0;    // of them: the last that was, and that walls feel

@@ -1,4 +1,4 @@
-#include "instruments/bench.hpp"
+#include "instruments/tool_world.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,125 +48,125 @@ static double brute_gap(const std::array<Capsule, part_count>& parts, const std:
 
 // At 1 m/s a tick is 1 mm: the wall is thinner, and a test at the tick's ends alone finds the tool inside the lumen or
 // beyond. Each speed must end touching the outside, and must be able to leave at once.
-TEST(Bench, AFastToolStopsAtAVesselWallAndCanLeave) {
+TEST(ToolWorld, AFastToolStopsAtAVesselWallAndCanLeave) {
     for (const Kind kind : {Kind::forceps, Kind::needle_holder, Kind::scissors, Kind::approximator})
         for (const double speed : {0.01, 0.1, 1.0, 50.0}) {
             SCOPED_TRACE(speed);
-            Bench bench;
-            bench.add_surface(vessel());
-            const int tool = bench.add_tool(kind);
+            ToolWorld world;
+            world.add_surface(vessel());
+            const int tool = world.add_tool(kind);
             const Vec3 start(1e-3, 0.1e-3, 5e-3);
-            bench.set_pose(tool, {{start, down}, 0});
+            world.set_pose(tool, {{start, down}, 0});
             Advance last;
             for (double z = start.z(); z > -5e-3; z -= speed * 1e-3) {
-                last = bench.advance(tool, {{Vec3(start.x(), start.y(), z), down}, 0});
-                ASSERT_GE(brute_gap(bench.parts(tool), vessel()), bench.skin(tool) / 4);
+                last = world.advance(tool, {{Vec3(start.x(), start.y(), z), down}, 0});
+                ASSERT_GE(brute_gap(world.parts(tool), vessel()), world.skin(tool) / 4);
             }
-            bench.advance(tool, {{Vec3(start.x(), start.y(), -5e-3), down}, 0});
+            world.advance(tool, {{Vec3(start.x(), start.y(), -5e-3), down}, 0});
             EXPECT_TRUE(last.stopped || speed > 1);
             // Forceps are narrower than the lumen, so only the wall can have stopped them above the centre.
-            EXPECT_GT(bench.pose(tool).pose.position.z(), 1.9e-3);
-            EXPECT_LE(brute_gap(bench.parts(tool), vessel()), bench.skin(tool) * 1.001);
-            const ToolInput away{{bench.pose(tool).pose.position + Vec3(0, 0, 1e-3), down}, 0};
-            const Advance left = bench.advance(tool, away);
+            EXPECT_GT(world.pose(tool).pose.position.z(), 1.9e-3);
+            EXPECT_LE(brute_gap(world.parts(tool), vessel()), world.skin(tool) * 1.001);
+            const ToolInput away{{world.pose(tool).pose.position + Vec3(0, 0, 1e-3), down}, 0};
+            const Advance left = world.advance(tool, away);
             EXPECT_FALSE(left.stopped);
             EXPECT_EQ(left.reached.pose.position, away.pose.position);
         }
 }
 
 // Jaws are 0.4 mm thick: 2.5 of them fit into what a fast tool moves in one tick.
-TEST(Bench, AFastToolStopsAtAnotherToolsJaw) {
+TEST(ToolWorld, AFastToolStopsAtAnotherToolsJaw) {
     for (const double speed : {0.01, 0.1, 1.0}) {
         SCOPED_TRACE(speed);
-        Bench bench;
-        const int moving = bench.add_tool(Kind::forceps), still = bench.add_tool(Kind::forceps);
+        ToolWorld world;
+        const int moving = world.add_tool(Kind::forceps), still = world.add_tool(Kind::forceps);
         const Quat lying(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitY()));
-        bench.set_pose(still, {{Vec3(4e-3, 0, -4e-3), lying}, 0});
-        bench.set_pose(moving, {{Vec3(0, 3e-3, 0), Quat::Identity()}, 0});
+        world.set_pose(still, {{Vec3(4e-3, 0, -4e-3), lying}, 0});
+        world.set_pose(moving, {{Vec3(0, 3e-3, 0), Quat::Identity()}, 0});
         Advance last;
         for (double y = 3e-3; y > -3e-3; y -= speed * 1e-3) {
-            last = bench.advance(moving, {{Vec3(0, y, 0), Quat::Identity()}, 0});
-            ASSERT_GT(bench.clearance(moving, 1e-3), 0);
+            last = world.advance(moving, {{Vec3(0, y, 0), Quat::Identity()}, 0});
+            ASSERT_GT(world.clearance(moving, 1e-3), 0);
         }
         EXPECT_TRUE(last.stopped);
         EXPECT_EQ(last.tool, still);
         EXPECT_EQ(last.surface, -1);
-        EXPECT_NEAR(last.reached.pose.position.y(), 0.4e-3, bench.skin(moving));
-        EXPECT_FALSE(bench.advance(moving, {{Vec3(0, 3e-3, 0), Quat::Identity()}, 0}).stopped);
+        EXPECT_NEAR(last.reached.pose.position.y(), 0.4e-3, world.skin(moving));
+        EXPECT_FALSE(world.advance(moving, {{Vec3(0, 3e-3, 0), Quat::Identity()}, 0}).stopped);
     }
 }
 
 // A shaft swings 80 mm behind the tip: turning alone can carry it through the other tool between two ticks.
-TEST(Bench, ATurningShaftStopsAtAnotherTool) {
-    Bench bench;
-    const int moving = bench.add_tool(Kind::needle_holder), still = bench.add_tool(Kind::forceps);
-    bench.set_pose(still, {{Vec3(5e-3, 0, -50e-3), Quat(Eigen::AngleAxisd(-EIGEN_PI / 2, Vec3::UnitX()))}, 0});
-    bench.set_pose(moving, {{Vec3::Zero(), Quat::Identity()}, 0});
+TEST(ToolWorld, ATurningShaftStopsAtAnotherTool) {
+    ToolWorld world;
+    const int moving = world.add_tool(Kind::needle_holder), still = world.add_tool(Kind::forceps);
+    world.set_pose(still, {{Vec3(5e-3, 0, -50e-3), Quat(Eigen::AngleAxisd(-EIGEN_PI / 2, Vec3::UnitX()))}, 0});
+    world.set_pose(moving, {{Vec3::Zero(), Quat::Identity()}, 0});
     const Quat turned(Eigen::AngleAxisd(-0.6, Vec3::UnitY()));
-    const Advance turn = bench.advance(moving, {{Vec3::Zero(), turned}, 0});
+    const Advance turn = world.advance(moving, {{Vec3::Zero(), turned}, 0});
     EXPECT_TRUE(turn.stopped);
     EXPECT_EQ(turn.part, shaft);
     EXPECT_EQ(turn.tool, still);
-    EXPECT_GT(bench.clearance(moving, 1e-3), 0);
-    EXPECT_LT(bench.clearance(moving, 1e-3), 0.2e-3);
+    EXPECT_GT(world.clearance(moving, 1e-3), 0);
+    EXPECT_LT(world.clearance(moving, 1e-3), 0.2e-3);
     EXPECT_LT(turn.reached.pose.rotation.angularDistance(turned), 0.6);
 }
 
 // Jaws that close on a vessel must stop at it, and the tool they belong to must still move: a blocked jaw that held the
 // whole tool would freeze a surgeon's hand.
-TEST(Bench, JawsStopAtWhatTheyCloseOnAndDoNotHoldTheToolBack) {
-    Bench bench;
-    bench.add_surface(vessel(0.5));  // 2 mm thick, between jaws 5 mm apart
-    const int tool = bench.add_tool(Kind::forceps);
+TEST(ToolWorld, JawsStopAtWhatTheyCloseOnAndDoNotHoldTheToolBack) {
+    ToolWorld world;
+    world.add_surface(vessel(0.5));  // 2 mm thick, between jaws 5 mm apart
+    const int tool = world.add_tool(Kind::forceps);
     const Quat across = down * Quat(Eigen::AngleAxisd(EIGEN_PI / 2, Vec3::UnitZ()));
-    bench.set_pose(tool, {{Vec3(0, 0, -1e-3), across}, 1});
-    EXPECT_GT(brute_gap(bench.parts(tool), vessel(0.5)), 0);
-    const Advance closed = bench.advance(tool, {{Vec3(0, 0, -1e-3), across}, 0});
+    world.set_pose(tool, {{Vec3(0, 0, -1e-3), across}, 1});
+    EXPECT_GT(brute_gap(world.parts(tool), vessel(0.5)), 0);
+    const Advance closed = world.advance(tool, {{Vec3(0, 0, -1e-3), across}, 0});
     EXPECT_TRUE(closed.stopped);
     EXPECT_GT(closed.reached.jaw, 0.2);
     EXPECT_LT(closed.reached.jaw, 0.9);
-    const Advance moved = bench.advance(tool, {{Vec3(1e-3, 0, -1e-3), across}, 0});
+    const Advance moved = world.advance(tool, {{Vec3(1e-3, 0, -1e-3), across}, 0});
     EXPECT_EQ(moved.reached.pose.position, Vec3(1e-3, 0, -1e-3));
-    EXPECT_GT(brute_gap(bench.parts(tool), vessel(0.5)), 0);
+    EXPECT_GT(brute_gap(world.parts(tool), vessel(0.5)), 0);
 }
 
 // Pushed down and along at once, a tool that only stopped would stick to the wall for as long as it is pushed.
-TEST(Bench, APressedToolSlidesAlongTheVessel) {
-    Bench bench;
-    bench.add_surface(vessel());
-    const int tool = bench.add_tool(Kind::needle_holder);
-    bench.set_pose(tool, {{Vec3(0, 0, 2.2e-3), down}, 0});
+TEST(ToolWorld, APressedToolSlidesAlongTheVessel) {
+    ToolWorld world;
+    world.add_surface(vessel());
+    const int tool = world.add_tool(Kind::needle_holder);
+    world.set_pose(tool, {{Vec3(0, 0, 2.2e-3), down}, 0});
     for (int tick = 1; tick <= 100; ++tick) {
-        bench.advance(tool, {{Vec3(0.1e-3 * tick, 0, 1.5e-3), down}, 0});
-        ASSERT_GT(brute_gap(bench.parts(tool), vessel()), 0);
+        world.advance(tool, {{Vec3(0.1e-3 * tick, 0, 1.5e-3), down}, 0});
+        ASSERT_GT(brute_gap(world.parts(tool), vessel()), 0);
     }
     // Friction, 0.15 of the half millimetre it is pressed by, drags it behind.
-    EXPECT_NEAR(bench.pose(tool).pose.position.x(), 10e-3 - 0.15 * 0.5e-3, 0.01e-3);
-    EXPECT_GT(bench.pose(tool).pose.position.z(), 1.9e-3);
+    EXPECT_NEAR(world.pose(tool).pose.position.x(), 10e-3 - 0.15 * 0.5e-3, 0.01e-3);
+    EXPECT_GT(world.pose(tool).pose.position.z(), 1.9e-3);
 }
 
 // Random hard pushes into a vessel and another tool from all sides, with turning and jaws: whatever the order of
 // events, nothing is ever inside anything. The vessel's inside is reachable only through its wall.
-TEST(Bench, NothingEverGetsInsideAnything) {
+TEST(ToolWorld, NothingEverGetsInsideAnything) {
     for (const unsigned seed : {1u, 2u}) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> uniform(-1, 1);
-        Bench bench;
-        bench.add_surface(vessel());
-        const std::array<int, 2> tools{bench.add_tool(Kind::forceps), bench.add_tool(Kind::needle_holder)};
-        bench.set_pose(tools[0], {{Vec3(-4e-3, 0, 6e-3), down}, 1});
-        bench.set_pose(tools[1], {{Vec3(4e-3, 0, 6e-3), down}, 1});
+        ToolWorld world;
+        world.add_surface(vessel());
+        const std::array<int, 2> tools{world.add_tool(Kind::forceps), world.add_tool(Kind::needle_holder)};
+        world.set_pose(tools[0], {{Vec3(-4e-3, 0, 6e-3), down}, 1});
+        world.set_pose(tools[1], {{Vec3(4e-3, 0, 6e-3), down}, 1});
         int stops = 0;
         for (int tick = 0; tick < 250; ++tick)
             for (const int tool : tools) {
-                const Vec3 from = bench.pose(tool).pose.position;
+                const Vec3 from = world.pose(tool).pose.position;
                 const Vec3 position =
                     from + 1e-3 * Vec3(uniform(random), uniform(random), uniform(random)) - 0.1 * from;
                 const Quat tilt(1, 0.3 * uniform(random), 0.3 * uniform(random), uniform(random));
-                stops += bench.advance(tool, {{position, down * tilt.normalized()}, 0.5 + uniform(random)}).stopped;
-                ASSERT_GE(brute_gap(bench.parts(tool), vessel()), bench.skin(tool) / 5);
-                ASSERT_GT(bench.clearance(tool, 1e-3), 0);
+                stops += world.advance(tool, {{position, down * tilt.normalized()}, 0.5 + uniform(random)}).stopped;
+                ASSERT_GE(brute_gap(world.parts(tool), vessel()), world.skin(tool) / 5);
+                ASSERT_GT(world.clearance(tool, 1e-3), 0);
             }
         EXPECT_GT(stops, 50);  // otherwise the seed does not test anything
     }
@@ -174,18 +174,18 @@ TEST(Bench, NothingEverGetsInsideAnything) {
 
 // Bullet's fixed lengths show at one size and hide at others: neither its unit nor the size of the scene may change
 // what happens. The unit must not change a bit; the scene's size only rounding.
-TEST(Bench, TheUnitAndTheSizeOfTheSceneChangeNothing) {
+TEST(ToolWorld, TheUnitAndTheSizeOfTheSceneChangeNothing) {
     const auto run = [](double unit, double scale) {
-        Bench bench(unit);
-        bench.add_surface(vessel(scale));
-        const int tool = bench.add_tool(scaled(shape_of(Kind::forceps), scale));
-        const int other = bench.add_tool(scaled(shape_of(Kind::needle_holder), scale));
-        bench.set_pose(other, {{scale * Vec3(3e-3, 0, 3e-3), down}, 0});
-        bench.set_pose(tool, {{scale * Vec3(-3e-3, 0.2e-3, 4e-3), down}, 1});
+        ToolWorld world(unit);
+        world.add_surface(vessel(scale));
+        const int tool = world.add_tool(scaled(shape_of(Kind::forceps), scale));
+        const int other = world.add_tool(scaled(shape_of(Kind::needle_holder), scale));
+        world.set_pose(other, {{scale * Vec3(3e-3, 0, 3e-3), down}, 0});
+        world.set_pose(tool, {{scale * Vec3(-3e-3, 0.2e-3, 4e-3), down}, 1});
         std::vector<Vec3> path;
         for (int tick = 0; tick < 60; ++tick) {
             const Vec3 to(-3e-3 + 0.1e-3 * tick, 0.2e-3, 4e-3 - 0.1e-3 * tick);
-            path.push_back(bench.advance(tool, {{scale * to, down}, 1 - tick / 60.0}).reached.pose.position / scale);
+            path.push_back(world.advance(tool, {{scale * to, down}, 1 - tick / 60.0}).reached.pose.position / scale);
         }
         return path;
     };
@@ -200,7 +200,7 @@ TEST(Bench, TheUnitAndTheSizeOfTheSceneChangeNothing) {
 
 // A tracker that loses its target for one tick sends anything. The tool must stay, the loss be told, and the next good
 // tick be as if nothing had happened.
-TEST(Bench, UnusableInputHoldsTheTool) {
+TEST(ToolWorld, UnusableInputHoldsTheTool) {
     const double nan = std::nan(""), inf = HUGE_VAL;
     const ToolInput good{{Vec3(1e-3, 2e-3, 3e-3), down}, 0.5};
     const auto with = [&](auto change) {
@@ -214,28 +214,28 @@ TEST(Bench, UnusableInputHoldsTheTool) {
         with([&](auto& i) { i.pose.position.z() = 1e300; }),        with([&](auto& i) { i.pose.rotation.w() = nan; }),
         with([&](auto& i) { i.pose.rotation.coeffs().setZero(); }), with([&](auto& i) { i.jaw = nan; })};
     for (const ToolInput& input : bad) {
-        Bench bench;
-        const int tool = bench.add_tool(Kind::forceps);
-        bench.set_pose(tool, good);
-        const Advance held = bench.advance(tool, input);
+        ToolWorld world;
+        const int tool = world.add_tool(Kind::forceps);
+        world.set_pose(tool, good);
+        const Advance held = world.advance(tool, input);
         EXPECT_TRUE(held.input_dropped);
         EXPECT_EQ(held.reached.pose.position, good.pose.position);
         EXPECT_EQ(held.reached.jaw, good.jaw);
-        const Advance next = bench.advance(tool, good);
+        const Advance next = world.advance(tool, good);
         EXPECT_FALSE(next.input_dropped);
         EXPECT_EQ(next.reached.pose.position, good.pose.position);
     }
 }
 
 // Devices send q or -q as they please, and not always unit; neither may show in a recording.
-TEST(Bench, TheSignAndLengthOfAQuaternionDoNotMatter) {
+TEST(ToolWorld, TheSignAndLengthOfAQuaternionDoNotMatter) {
     const Quat q(Eigen::AngleAxisd(2.5, Vec3(1, 2, -1).normalized()));
     Quat reference = Quat::Identity();
     for (const double factor : {1.0, -1.0, 4.0, -0.5, 0x1p-500}) {
-        Bench bench;
-        const int tool = bench.add_tool(Kind::forceps);
+        ToolWorld world;
+        const int tool = world.add_tool(Kind::forceps);
         const Quat sent(Eigen::Vector4d(factor * q.coeffs()));
-        const Advance advance = bench.advance(tool, {{Vec3::Zero(), sent}, 2.0});
+        const Advance advance = world.advance(tool, {{Vec3::Zero(), sent}, 2.0});
         EXPECT_FALSE(advance.stopped);
         EXPECT_EQ(advance.reached.jaw, 1.0);
         EXPECT_GE(advance.reached.pose.rotation.w(), 0);
@@ -243,26 +243,26 @@ TEST(Bench, TheSignAndLengthOfAQuaternionDoNotMatter) {
         if (factor == 1) reference = advance.reached.pose.rotation;
         EXPECT_LT((advance.reached.pose.rotation.coeffs() - reference.coeffs()).norm(), factor == -1 ? 1e-300 : 1e-15);
         // Given back, a pose is the same pose.
-        bench.set_pose(tool, advance.reached);
-        EXPECT_EQ(bench.pose(tool).pose.rotation.coeffs(), advance.reached.pose.rotation.coeffs());
+        world.set_pose(tool, advance.reached);
+        EXPECT_EQ(world.pose(tool).pose.rotation.coeffs(), advance.reached.pose.rotation.coeffs());
     }
 }
 
 // A recording is replayed in another process, where memory lies elsewhere and other benches came before.
-TEST(Bench, TheSameCallsGiveTheSameBits) {
+TEST(ToolWorld, TheSameCallsGiveTheSameBits) {
     const auto run = [] {
-        Bench bench;
-        bench.add_surface(vessel());
-        const int tool = bench.add_tool(Kind::forceps), other = bench.add_tool(Kind::needle_holder);
-        bench.set_pose(other, {{Vec3(2e-3, 0, 4e-3), down}, 0.5});
-        bench.set_pose(tool, {{Vec3(-2e-3, 0, 4e-3), down}, 1});
+        ToolWorld world;
+        world.add_surface(vessel());
+        const int tool = world.add_tool(Kind::forceps), other = world.add_tool(Kind::needle_holder);
+        world.set_pose(other, {{Vec3(2e-3, 0, 4e-3), down}, 0.5});
+        world.set_pose(tool, {{Vec3(-2e-3, 0, 4e-3), down}, 1});
         std::mt19937 random(7);
         std::uniform_real_distribution<double> uniform(-1, 1);
         std::vector<double> bits;
         for (int tick = 0; tick < 200; ++tick)
             for (const int moved : {tool, other}) {
                 const Vec3 position = 4e-3 * Vec3(uniform(random), uniform(random), uniform(random));
-                const Advance a = bench.advance(moved, {{position, down}, uniform(random)});
+                const Advance a = world.advance(moved, {{position, down}, uniform(random)});
                 for (const double x :
                      {a.reached.pose.position.x(), a.reached.pose.position.y(), a.reached.pose.position.z(),
                       a.reached.jaw, double(a.tool), double(a.surface), double(a.part)})
@@ -277,14 +277,14 @@ TEST(Bench, TheSameCallsGiveTheSameBits) {
 }
 
 // A drill may start with a tool pressed into a vessel: it must come out, and must not be let in deeper.
-TEST(Bench, AToolPlacedInsideAWallCanOnlyLeave) {
-    const auto start = [](Bench& bench) {
-        bench.add_surface(vessel());
-        const int tool = bench.add_tool(Kind::needle_holder);
-        bench.set_pose(tool, {{Vec3(0, 0, 1.9e-3), down}, 0});
+TEST(ToolWorld, AToolPlacedInsideAWallCanOnlyLeave) {
+    const auto start = [](ToolWorld& world) {
+        world.add_surface(vessel());
+        const int tool = world.add_tool(Kind::needle_holder);
+        world.set_pose(tool, {{Vec3(0, 0, 1.9e-3), down}, 0});
         return tool;
     };
-    Bench in, out;
+    ToolWorld in, out;
     const int deeper = start(in), leaving = start(out);
     const double gap = in.clearance(deeper, 1e-3);
     EXPECT_NEAR(gap, -0.1e-3, 0.02e-3);

@@ -21,16 +21,16 @@ struct Advance {
     bool input_dropped = false;   ///< The wanted pose was not usable; the tool was held where it was.
 };
 
-/// The bench: tools that move, surfaces that do not, and nothing ever inside anything else.
+/// Tools that move, surfaces that do not, and nothing ever inside anything else.
 ///
 /// Tools and surfaces are numbered 0, 1, 2 ... in the order they are added. Tools are driven, not pushed: each is three
 /// kinematic Bullet bodies, a shaft and two jaws. The hinge between them is not a btHingeConstraint: kinematic bodies
 /// have infinite mass, so a constraint cannot move them, and the angle is an input. parts_at() places the jaws on it.
 ///
 /// Deterministic: the same calls give the same bits, at any Bullet unit. Allocates nothing once its buffers have grown.
-class Bench {
+class ToolWorld {
   public:
-    explicit Bench(double metres_per_unit = bullet_unit) : world_(metres_per_unit) {}
+    explicit ToolWorld(double metres_per_unit = bullet_unit) : world_(metres_per_unit) {}
 
     int add_tool(Kind kind) { return add_tool(shape_of(kind)); }
     int add_tool(const ToolShape& shape);  ///< Starts at the origin, open; place it with set_pose().
@@ -48,7 +48,7 @@ class Bench {
     /// Guarantee:  no part comes nearer to anything than skin(tool) / 4, at any speed, at any moment in between; if it
     ///             already was nearer (a start pose), it may only move away.
     /// Bad input:  what is not usable(): held, `input_dropped`.
-    /// Cost:       3 tree queries when nothing is near; at most max_steps (bench.cpp) looks at what is.
+    /// Cost:       3 tree queries when nothing is near; at most max_steps (tool_world.cpp) looks at what is.
     /// Source:     conservative advancement [Mirtich1996], with a separating plane per pair, as both are convex.
     Advance advance(int tool, const ToolInput& wanted);
 

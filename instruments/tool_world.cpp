@@ -1,4 +1,4 @@
-#include "instruments/bench.hpp"
+#include "instruments/tool_world.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,8 @@ namespace {
 constexpr int max_steps = 32;
 
 // Fractions of skin(). A step that no plane allows in full is still tried over `probe`, and kept if what it reaches is
-// no nearer than `floor`. On the way it can come nearer by a probe: to a quarter of the skin, as bench.hpp promises.
+// no nearer than `floor`. On the way it can come nearer by a probe: to a quarter of the skin, as tool_world.hpp
+// promises.
 constexpr double floor_of_skin = 0.5, probe_of_skin = 0.25;
 
 // Coulomb coefficient of a tool that is pressed on something. How far inside the tool is wanted stands for the force:
@@ -63,7 +64,7 @@ std::optional<ToolInput> usable(const ToolInput& input, const ToolShape& shape) 
 }
 
 /// A sweep's path and bounds on it. `time` runs from 0 to 1.
-struct Bench::Motion {
+struct ToolWorld::Motion {
     ToolInput from, to;
     std::array<Capsule, part_count> end;
     std::array<double, part_count> speed;  ///< No point of the part's core moves faster [m per unit of time].
@@ -104,7 +105,7 @@ struct Bench::Motion {
     }
 };
 
-int Bench::add_tool(const ToolShape& shape) {
+int ToolWorld::add_tool(const ToolShape& shape) {
     const int tool = static_cast<int>(tools_.size());
     tools_.push_back({shape, {}, parts_at(shape, {}, 1), {}});
     for (std::size_t i = 0; i < part_count; ++i) {
@@ -116,7 +117,7 @@ int Bench::add_tool(const ToolShape& shape) {
     return tool;
 }
 
-int Bench::add_surface(std::vector<Triangle> triangles) {
+int ToolWorld::add_surface(std::vector<Triangle> triangles) {
     const int surface = static_cast<int>(surfaces_.size());
     if (!triangles.empty()) {
         world_.add_surface(triangles);
@@ -126,12 +127,12 @@ int Bench::add_surface(std::vector<Triangle> triangles) {
     return surface;
 }
 
-void Bench::set_pose(int index, const ToolInput& input) {
+void ToolWorld::set_pose(int index, const ToolInput& input) {
     const Tool& tool = at(index);
     place(index, usable(input, tool.shape).value_or(tool.now));
 }
 
-void Bench::place(int index, const ToolInput& input) {
+void ToolWorld::place(int index, const ToolInput& input) {
     Tool& tool = tools_[static_cast<std::size_t>(index)];
     tool.now = input;
     tool.parts = parts_at(tool.shape, tool.now.pose, tool.now.jaw);
@@ -139,7 +140,7 @@ void Bench::place(int index, const ToolInput& input) {
         world_.place(tool.bodies[i], tool.parts[i], tool.now.pose.rotation * Vec3::UnitY());
 }
 
-Bench::Plane Bench::separate(const Capsule& capsule, const BulletWorld::Near& other) const {
+ToolWorld::Plane ToolWorld::separate(const Capsule& capsule, const BulletWorld::Near& other) const {
     const Owner& who = owners_[static_cast<std::size_t>(other.body)];
     double radii = capsule.radius;
     sim::geometry::ClosestPair closest;
@@ -158,7 +159,7 @@ Bench::Plane Bench::separate(const Capsule& capsule, const BulletWorld::Near& ot
 }
 
 // What each part could meet within its range; found by box, in a fixed order.
-void Bench::collect_pairs(int tool, const std::array<double, part_count>& range) const {
+void ToolWorld::collect_pairs(int tool, const std::array<double, part_count>& range) const {
     pairs_.clear();
     for (std::size_t part = 0; part < part_count; ++part) {
         world_.near(box_of(at(tool).parts[part], range[part]), near_);
@@ -167,14 +168,14 @@ void Bench::collect_pairs(int tool, const std::array<double, part_count>& range)
     }
 }
 
-double Bench::clearance(int tool, double range) const {
+double ToolWorld::clearance(int tool, double range) const {
     collect_pairs(tool, {range, range, range});
     double gap = range;
     for (const Pair& pair : pairs_) gap = std::min(gap, separate(at(tool).parts[pair.part], pair.other).gap);
     return gap;
 }
 
-Bench::Stop Bench::sweep(int index, const ToolInput& wanted) {
+ToolWorld::Stop ToolWorld::sweep(int index, const ToolInput& wanted) {
     const Motion motion(at(index).shape, at(index).now, wanted);
     const int legs = motion.legs(2 * at(index).shape.jaw_radius, probe_of_skin * skin(index));
     int steps = max_steps;
@@ -188,8 +189,8 @@ Bench::Stop Bench::sweep(int index, const ToolInput& wanted) {
 // How much of the rest of a leg a pair allows, `plane` being between its part and the other now. Both are convex, so
 // their gap is at least the part's height over that plane; and the height, at the ends of the part's straight core,
 // goes from what it is to its value at the leg's end but for the bulge.
-double Bench::allowed(const Motion& motion, const Pair& pair, const Plane& plane, const Capsule& part, double rest,
-                      double keep) {
+double ToolWorld::allowed(const Motion& motion, const Pair& pair, const Plane& plane, const Capsule& part, double rest,
+                          double keep) {
     const double furthest = motion.speed[pair.part] * rest;
     const auto height = [&](const Capsule& c) { return std::min(plane.normal.dot(c.a), plane.normal.dot(c.b)); };
     const double falls = height(part) - height(motion.end[pair.part]) + motion.bulge[pair.part] * rest * rest;
@@ -197,7 +198,7 @@ double Bench::allowed(const Motion& motion, const Pair& pair, const Plane& plane
     return closing > 0 ? std::max(plane.gap - keep, probe_of_skin * keep) / closing : 1;
 }
 
-Bench::Stop Bench::leg(int index, const ToolInput& wanted, int& steps) {
+ToolWorld::Stop ToolWorld::leg(int index, const ToolInput& wanted, int& steps) {
     const Tool& tool = at(index);
     const Motion motion(tool.shape, tool.now, wanted);
     const double keep = skin(index);
@@ -244,7 +245,7 @@ Bench::Stop Bench::leg(int index, const ToolInput& wanted, int& steps) {
     return stop;
 }
 
-Advance Bench::advance(int index, const ToolInput& input) {
+Advance ToolWorld::advance(int index, const ToolInput& input) {
     const Tool& tool = at(index);
     Advance result{.reached = tool.now};
     const auto wanted = usable(input, tool.shape);
