@@ -32,7 +32,7 @@ double smallest_tetrahedron(const Trace& trace, const Condition& condition) {
 
 double events(const Trace& trace, const Condition& condition) {
     return static_cast<double>(std::count_if(trace.events.begin(), trace.events.end(), [&](const auto& e) {
-        return e.kind == condition.event && is_due(condition, e.t_s);
+        return e.name() == condition.event && is_due(condition, e.t_s);
     }));
 }
 

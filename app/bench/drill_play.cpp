@@ -129,7 +129,8 @@ Trace play_drill(const Scene& scene) {
     trace.hash = world.hash();
     trace.pieces = world.curves();
     watch.conclude(world, trace);
-    for (const auto& event : world.events()) trace.inputs_dropped += event.kind == "input_dropped";
+    for (const auto& event : world.events())
+        trace.inputs_dropped += event.kind == scenarios::world::EventKind::input_dropped;
     return trace;
 }
 

@@ -125,6 +125,12 @@ Shape fault() {
                   {"hz", quantity(1, 10000, "Hz"), false, 30}});
 }
 
+std::vector<json> event_names() {
+    std::vector<json> names;
+    for (const scenarios::world::EventWords& words : scenarios::world::event_words) names.emplace_back(words.name);
+    return names;
+}
+
 Shape condition() {
     std::vector<json> names;
     for (const ConditionKind& kind : condition_kinds()) names.emplace_back(kind.name);
@@ -138,7 +144,7 @@ Shape condition() {
                          {"vessel", count(-1, 15), false, -1},
                          {"factor", quantity(1e-6, 1e6), false, 1},
                          {"knot", words()},
-                         {"event", words()},
+                         {"event", choice(event_names())},
                          {"model", choice({"ftl", "elastic"})},
                          {"known", words()},
                          {"today", quantity(-1e12, 1e12)}});

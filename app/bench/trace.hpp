@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/bench/hard_case.hpp"
-#include "scenarios/world/defs.hpp"
+#include "scenarios/world/event.hpp"
 #include "tissue/bite.hpp"
 
 namespace app::bench {

@@ -61,8 +61,8 @@ std::string said(const scenarios::drill::ScoreItem& item) {
 }
 
 std::string said(const scenarios::world::Event& event) {
-    return event.kind + " " + event.what + " " + std::to_string(event.value) + " at " + std::to_string(event.t_s) +
-           " s";
+    return std::string(event.name()) + " " + event.what + " " + std::to_string(event.value) + " at " +
+           std::to_string(event.t_s) + " s";
 }
 
 // Or a recording could be given another verdict or course: the states say nothing of what was asked.

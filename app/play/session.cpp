@@ -13,6 +13,7 @@
 namespace app {
 
 using scenarios::drill::Result;
+using scenarios::world::EventKind;
 using sim::geometry::Vec3;
 
 Session::Session(scenarios::drill::Drill drill, std::span<const instruments::ToolInput> start)
@@ -169,21 +170,23 @@ void Session::watch_events() {
     for (; events_seen_ < world_.events().size(); ++events_seen_) {
         const auto event = world_.events()[events_seen_];
         if (key_moments_.size() >= most_pictures) continue;
-        if (event.kind == "grasp") key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
-        if (event.kind == "cut") key_moments_.push_back(snapshot(event.what + " tool cuts the thread"));
-        if (event.kind == "break") key_moments_.push_back(snapshot("the " + event.what + " breaks"));
-        if (event.kind == "through")
+        if (event.kind == EventKind::grasp) key_moments_.push_back(snapshot(event.what + " tool grasps the thread"));
+        if (event.kind == EventKind::cut) key_moments_.push_back(snapshot(event.what + " tool cuts the thread"));
+        if (event.kind == EventKind::broken) key_moments_.push_back(snapshot("the " + event.what + " breaks"));
+        if (event.kind == EventKind::through)
             key_moments_.push_back(bite_snapshot(event.what, "the needle is through the wall of " + event.what));
-        if (event.kind == "slipped") key_moments_.push_back(snapshot("the needle slips off the edge of " + event.what));
-        if (event.kind == "torn")
+        if (event.kind == EventKind::slipped)
+            key_moments_.push_back(snapshot("the needle slips off the edge of " + event.what));
+        if (event.kind == EventKind::torn)
             key_moments_.push_back(bite_snapshot(event.what, "a bite tears out of " + event.what));
-        if (event.kind == "release") key_moments_.push_back(snapshot(event.what + " tool lets go"));
+        if (event.kind == EventKind::release) key_moments_.push_back(snapshot(event.what + " tool lets go"));
         const bool surgeons_know = event.what == "0_1" || !world_.measures().knot.surgical.empty();
-        if (event.kind == "knot" && surgeons_know) {
+        if (event.kind == EventKind::knot && surgeons_know) {
             const std::string caption = "the thread holds: " + (event.what == "0_1" ? "no knot" : event.what);
             key_moments_.push_back(knot_snapshot(caption).value_or(snapshot(caption)));
         }
-        if (event.kind == "pass_through") key_moments_.push_back(snapshot("the thread passed through something"));
+        if (event.kind == EventKind::pass_through)
+            key_moments_.push_back(snapshot("the thread passed through something"));
     }
 }
 

@@ -26,7 +26,7 @@ json items(const Result& result) {
 json events(const Result& result) {
     json list = json::array();
     for (const scenarios::world::Event& event : result.events)
-        list.push_back({{"t_s", event.t_s}, {"kind", event.kind}, {"what", event.what}, {"value", event.value}});
+        list.push_back({{"t_s", event.t_s}, {"kind", event.name()}, {"what", event.what}, {"value", event.value}});
     return list;
 }
 

@@ -65,11 +65,11 @@ class Sheet {
 
 // A row a kind, in the order in which the kinds first appeared.
 void Sheet::add_events() {
-    std::vector<std::string> kinds;
+    std::vector<scenarios::world::EventKind> kinds;
     for (const auto& event : result_.events)
         if (std::find(kinds.begin(), kinds.end(), event.kind) == kinds.end()) kinds.push_back(event.kind);
-    for (const std::string& kind : kinds) {
-        std::string words = kind;
+    for (const auto kind : kinds) {
+        std::string words = scenarios::world::words_of(kind).name;
         std::replace(words.begin(), words.end(), '_', ' ');
         body_ += text(left - 10, y_ + 15, "label", words) + line(left, y_ + row / 2, right, y_ + row / 2, "rule");
         for (const auto& event : result_.events) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scenarios/world/defs.hpp"
+#include "scenarios/world/event.hpp"
 
 // What a played drill came to: what result.json, report.html and a recording's score table are written from.
 namespace scenarios::drill {

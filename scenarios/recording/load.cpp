@@ -39,9 +39,8 @@ class Loader {
         each("chunk", "SELECT first_tick, ticks, inputs FROM chunk ORDER BY first_tick",
              [&](Statement& row) { add_chunk(row); });
         each("state_hash", "SELECT tick, hash FROM state_hash ORDER BY tick", [&](Statement& row) { add_hash(row); });
-        each("event", "SELECT t_s, kind, what, value FROM event ORDER BY rowid", [&](Statement& row) {
-            recording_.events.push_back({row.real(0), row.text(1), row.text(2), row.real(3)});
-        });
+        each("event", "SELECT t_s, kind, what, value FROM event ORDER BY rowid",
+             [&](Statement& row) { add_event(row); });
         each("score", "SELECT name, title, value, unit, band, passed, at_s, why FROM score ORDER BY rowid",
              [&](Statement& row) {
                  recording_.scores.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
@@ -111,6 +110,14 @@ class Loader {
             recording_.hashes.push_back(entry);
         else
             recording_.damage.push_back("the hash of tick " + std::to_string(entry.tick) + " is damaged");
+    }
+
+    void add_event(Statement& row) {
+        const std::string name = row.text(1);
+        if (const auto kind = world::event_kind(name))
+            recording_.events.push_back({row.real(0), *kind, row.text(2), row.real(3)});
+        else
+            recording_.damage.push_back("there is no event \"" + name + "\"");
     }
 
     std::filesystem::path file_;

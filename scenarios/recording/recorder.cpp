@@ -93,7 +93,7 @@ struct Recorder::Impl {
         }
         for (const world::Event& event : events)
             Statement(database, "INSERT INTO event VALUES(?,?,?,?)")
-                .bind(event.t_s, event.kind, event.what, event.value)
+                .bind(event.t_s, event.name(), event.what, event.value)
                 .step();
     }
 

@@ -31,7 +31,7 @@ void World::break_where_pulled_too_hard() {
         strength_.pulled_s = 0;
         return;
     }
-    log("break", what, place);
+    log(EventKind::broken, what, place);
     if (!measures_.broke_s) measures_.broke_s = time_s();
 }
 
@@ -47,7 +47,7 @@ void World::close_blades(Tool& tool) {
         const Vec3 a = place(i), b = place(i + 1);
         if (thread_.is_cut(i) || !room.is_passed_by(a, b)) continue;
         const double share = JawRoom::crossing(a, b), at_mm = place_mm(i, share);
-        if (cut(i, share)) log("cut", tool.def.name, at_mm);
+        if (cut(i, share)) log(EventKind::cut, tool.def.name, at_mm);
     }
 }
 
@@ -105,7 +105,7 @@ void World::hold_pieces(Tool& tool, std::span<const int> held) {
         if (lost && pieces.back().count > 0 && end <= last && !thread_.is_cut(end - 1)) hold_where_it_is(end);
         if (pieces.back().count > 0) continue;
         pieces.pop_back();
-        log("release", tool.def.name, 0);
+        log(EventKind::release, tool.def.name, 0);
     }
     tool.grasps.assign(pieces.begin(), pieces.end());
 }

@@ -92,16 +92,4 @@ inline double first_link(const WorldDef& def) {
     return link;
 }
 
-/// One moment worth telling: grasp, release, slip, knot named, input dropped ...
-struct Event {
-    double t_s;
-    std::string kind;  ///< "grasp", "release", "slip", "cut", "break", "torn", "needle_grasp", "needle_bent", "knot",
-                       ///< "input_dropped", "held_up", "pass_through".
-    std::string what;  ///< e.g. "right", the knot's name, or what pull the thread broke at, "right by left".
-    double value = 0;  ///< e.g. force [N] at a slip, a tear or a needle that bends, place along the thread or needle
-                       ///< [mm] at a grasp, a cut or a break, how far a tool is behind its hand [mm].
-
-    bool operator==(const Event&) const = default;
-};
-
 }  // namespace scenarios::world

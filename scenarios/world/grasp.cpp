@@ -108,7 +108,7 @@ void World::take_hold(Tool& tool) {
         const Grasp grasp = strand_between(room, tool.shape.jaw_radius, i, place, is_free, is_joined);
         if (grasp.count == 0) continue;
         tool.grasps.push_back(grasp);
-        log("grasp", tool.def.name,
+        log(EventKind::grasp, tool.def.name,
             1e3 *
                 std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
         ++measures_.grasps[static_cast<std::size_t>(&tool - tools_.data())];
@@ -128,9 +128,9 @@ void World::update_grasps() {
             if (!has_needle) take_wall(tool, shut);
         } else if (tool.closed && tool.now.jaw > open_above) {
             tool.closed = false;
-            for (const Grasp& grasp : tool.grasps) log("release", tool.def.name, grasp.middle());
+            for (const Grasp& grasp : tool.grasps) log(EventKind::release, tool.def.name, grasp.middle());
             tool.grasps.clear();
-            if (!tool.walls.empty()) log("wall_release", tool.def.name, 0);
+            if (!tool.walls.empty()) log(EventKind::wall_release, tool.def.name, 0);
             tool.walls.clear();
             let_needle_go(number);
         }
@@ -186,7 +186,7 @@ Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
 // tension falls back to the grip force. False when it has slid out.
 bool World::slip(Tool& tool, Grasp& grasp) {
     if (pull_on(grasp) <= tool.shape.grip_force) return true;
-    if (!tool.slipping) log("slip", tool.def.name, tool.shape.grip_force);
+    if (!tool.slipping) log(EventKind::slip, tool.def.name, tool.shape.grip_force);
     tool.slipping = true;
     const auto nodes = thread_.nodes();
     const Vec3 slide = is_elastic() ? slide_by_stretch(tool, grasp) : slide_by_lag(tool, grasp);
@@ -217,7 +217,7 @@ void World::let_grasps_slip() {
             if (slip(tool, tool.grasps[g])) {
                 ++g;
             } else {
-                log("release", tool.def.name, 0);
+                log(EventKind::release, tool.def.name, 0);
                 tool.grasps.erase(tool.grasps.begin() + static_cast<std::ptrdiff_t>(g));
             }
         }

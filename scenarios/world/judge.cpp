@@ -69,8 +69,8 @@ static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const 
 void World::judge_sewing() {
     measures_.bites.clear();
     measures_.join = {};
-    const auto slip =
-        std::find_if(events_.begin(), events_.end(), [](const Event& event) { return event.kind == "slipped"; });
+    const auto slip = std::find_if(events_.begin(), events_.end(),
+                                   [](const Event& event) { return event.kind == EventKind::slipped; });
     if (slip != events_.end()) measures_.slipped = slip->what, measures_.slipped_s = slip->t_s;
     const auto threads = curves();
     bool sewn = vessels_.size() == 2;

@@ -56,7 +56,7 @@ void World::measure(const sim::thread::TickReport& report) {
     if (report.pass_throughs > 0) {
         if (measures_.pass_throughs == 0) measures_.first_pass_through_s = t;
         measures_.pass_throughs += static_cast<std::uint64_t>(report.pass_throughs);
-        log("pass_through", "thread", report.pass_throughs);
+        log(EventKind::pass_through, "thread", report.pass_throughs);
     }
     measures_.duration_s = t;
     const auto tension = thread_.tension();
@@ -129,7 +129,7 @@ void World::take_names(std::vector<NamedPiece> pieces) {
         if (ties_more(named_[i].tied, named_[most].tied)) most = i;
     const auto& [name, round] = named_[most].tied;
     if (name.knot != measures_.knot.knot || name.surgical != measures_.knot.surgical) {
-        log("knot", name.called(), 0);
+        log(EventKind::knot, name.called(), 0);
         measures_.knot_since_s = time_s();
     }
     measures_.knot = name;

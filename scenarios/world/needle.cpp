@@ -42,7 +42,7 @@ bool World::take(Needle& needle, int number, const JawRoom& room) {
         measures_.needle_deg = Moment{degrees, time_s()};
     char what[64];
     std::snprintf(what, sizeof what, "%s at %.0f degrees", tool.def.name.c_str(), degrees);
-    log("needle_grasp", what, 1e3 * *along);
+    log(EventKind::needle_grasp, what, 1e3 * *along);
     return true;
 }
 
@@ -66,7 +66,7 @@ void World::let_needle_go(int number) {
     for (Needle& needle : needles_) {
         if (needle.next.tool == number) needle.next = {};
         if (needle.holder.tool != number) continue;
-        log("needle_release", tools_[static_cast<std::size_t>(number)].def.name, 0);
+        log(EventKind::needle_release, tools_[static_cast<std::size_t>(number)].def.name, 0);
         needle.holder = needle.next;
         needle.next = {};
         if (const int tool = needle.holder.tool; tool >= 0)
@@ -88,7 +88,7 @@ void World::watch_needle() {
     const double arm = (needle.now.tip() - needle.now.at(needle.holder.along)).norm();
     if (force.norm() * arm <= instruments::yield_moment(needle.now.wire)) return;
     needle.bent = true;
-    log("needle_bent", tools_[static_cast<std::size_t>(needle.holder.tool)].def.name, force.norm());
+    log(EventKind::needle_bent, tools_[static_cast<std::size_t>(needle.holder.tool)].def.name, force.norm());
 }
 
 // The second to hold it has it no longer where it is no longer between its jaws, were they open: it does not follow
@@ -98,7 +98,7 @@ void World::drop_second_grip(Needle& needle) {
     const Tool& tool = tools_[static_cast<std::size_t>(needle.next.tool)];
     if (place_between(JawRoom(tool.shape, 1), instruments::into_tool(needle.now, tool.now.pose))) return;
     needle.next = {};
-    log("needle_release", tool.def.name, 0);
+    log(EventKind::needle_release, tool.def.name, 0);
 }
 
 // The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where

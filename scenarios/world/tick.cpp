@@ -55,7 +55,7 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         tool.stopped = false;
         const auto wanted = instruments::usable(inputs[i], tool.shape);
         if (!wanted) {
-            log("input_dropped", tool.def.name, 0);
+            log(EventKind::input_dropped, tool.def.name, 0);
             continue;
         }
         ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
@@ -77,7 +77,7 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
 void World::tell_what_holds_up(Tool& tool, const std::string& by) {
     if (tool.held_up || tool.lag() < told_behind(tool)) return;
     tool.held_up = true;
-    log("held_up", tool.def.name + " by " + by, 1e3 * tool.lag());
+    log(EventKind::held_up, tool.def.name + " by " + by, 1e3 * tool.lag());
 }
 
 void World::list_held() {

@@ -10,24 +10,24 @@ static std::uint64_t period(std::size_t vessels) {
     return std::max<std::uint64_t>(2, vessels);
 }
 
-static const char* name_of(tissue::BiteEvent::Kind kind) {
+static EventKind kind_of(tissue::BiteEvent::Kind kind) {
     switch (kind) {
         case tissue::BiteEvent::pierced:
-            return "pierced";
+            return EventKind::pierced;
         case tissue::BiteEvent::through:
-            return "through";
+            return EventKind::through;
         case tissue::BiteEvent::back_in:
-            return "back_in";
+            return EventKind::back_in;
         case tissue::BiteEvent::withdrawn:
-            return "withdrawn";
+            return EventKind::withdrawn;
         case tissue::BiteEvent::drawn:
-            return "drawn";
+            return EventKind::drawn;
         case tissue::BiteEvent::torn:
-            return "torn";
+            return EventKind::torn;
         case tissue::BiteEvent::slipped:
-            return "slipped";
+            return EventKind::slipped;
     }
-    return "";
+    return EventKind::slipped;
 }
 
 // By `ftl` a tension is an estimate: no more than the thread, and the jaws that hold it, bear.
@@ -100,7 +100,7 @@ void World::move(SoftVessel& vessel, double seconds) {
     vessel.bites.settle(vessel.skin);
     pull_at_bites(vessel, seconds);
     for (const tissue::BiteEvent& event : vessel.bites.events()) {
-        log(name_of(event.kind), vessel.name, event.force);
+        log(kind_of(event.kind), vessel.name, event.force);
         const bool bites = event.kind == tissue::BiteEvent::pierced || event.kind == tissue::BiteEvent::through ||
                            event.kind == tissue::BiteEvent::withdrawn;
         if (!bites) continue;

@@ -87,7 +87,8 @@ void World::take_wall(Tool& tool, const JawRoom& room) {
         for (double z = -0.5 * look_of(tool); z > -tool.shape.jaw_length; z -= look_of(tool))
             look_for_walls(tool, room, static_cast<int>(v), near, z);
         if (tool.walls.size() > had)
-            log("wall_grasp", tool.def.name + ", " + vessels_[v].name, static_cast<double>(tool.walls.size() - had));
+            log(EventKind::wall_grasp, tool.def.name + ", " + vessels_[v].name,
+                static_cast<double>(tool.walls.size() - had));
     }
 }
 

@@ -117,7 +117,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
     gaps_.reserve(4096);
 }
 
-void World::log(const char* kind, const std::string& what, double value) {
+void World::log(EventKind kind, const std::string& what, double value) {
     events_.push_back({time_s(), kind, what, value});
 }
 

@@ -9,6 +9,7 @@
 #include "instruments/needle.hpp"
 #include "instruments/tool_world.hpp"
 #include "scenarios/world/defs.hpp"
+#include "scenarios/world/event.hpp"
 #include "scenarios/world/measure.hpp"
 #include "scenarios/world/moving_wall.hpp"
 #include "scenarios/world/soft_vessel.hpp"
@@ -199,7 +200,7 @@ class World {
     double most_pull() const;
     static int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first,
                             std::size_t last);
-    void log(const char* kind, const std::string& what, double value);
+    void log(EventKind kind, const std::string& what, double value);
 
     WorldDef def_;
     sim::thread::Thread thread_;

@@ -11,6 +11,7 @@
 
 using namespace app::report;
 using scenarios::drill::Result;
+using scenarios::world::EventKind;
 
 namespace {
 
@@ -33,7 +34,8 @@ Result tied() {
                              : i < 1800 ? "3_1"
                                         : "3_1#3_1"});
     }
-    r.events = {{3.0, "grasp", "left", 0.02}, {9.0, "knot", "3_1", 0}, {12.3, "slip", "right", 1.2}};
+    r.events = {
+        {3.0, EventKind::grasp, "left", 0.02}, {9.0, EventKind::knot, "3_1", 0}, {12.3, EventKind::slip, "right", 1.2}};
     r.duration_s = 24;
     r.links = 300;
     r.ticks = 24000;
@@ -159,7 +161,7 @@ TEST(Report, TextFromFilesStaysText) {
     Result r = tied();
     r.drill_title = r.instruments[0] = r.knot = r.surgical = r.throws = r.state_hash = r.machine = evil;
     r.items[0] = {evil, evil, evil, evil, evil, false, 1, evil};
-    r.events[0].kind = r.events[1].what = r.samples[0].knot = evil;
+    r.events[0].what = r.events[1].what = r.samples[0].knot = evil;
     const std::string html = report_html(r, {{1, evil, {}}});
     EXPECT_FALSE(has(html, "<script"));
     EXPECT_FALSE(has(html, "alert('"));

@@ -56,7 +56,7 @@ TEST(Recording, KeepsEveryKindOfDouble) {
 // A report made from a recording shows its head, events and scores; each field must be the one that was written.
 TEST(Recording, HeadEventsAndScoresComeBack) {
     const Folder folder;
-    const world::Event slip{1.25, "slip", "right", 0.75};
+    const world::Event slip{1.25, world::EventKind::slip, "right", 0.75};
     const drill::ScoreItem item{"knot", "Knot", "granny", "", "square", false, 2.5, "It's wrong; \"reverse\" it."};
     {
         Recorder recorder(folder / "a.carrel", session::head());
@@ -77,7 +77,7 @@ TEST(Recording, HeadEventsAndScoresComeBack) {
     EXPECT_EQ(r.head.assets[0].sha256, std::string(64, 'a'));
     ASSERT_EQ(r.events.size(), 1u);
     EXPECT_EQ(r.events[0].t_s, 1.25);
-    EXPECT_EQ(r.events[0].kind, "slip");
+    EXPECT_EQ(r.events[0].kind, world::EventKind::slip);
     EXPECT_EQ(r.events[0].what, "right");
     EXPECT_EQ(r.events[0].value, 0.75);
     ASSERT_EQ(r.scores.size(), 1u);

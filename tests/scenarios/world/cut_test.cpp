@@ -12,6 +12,7 @@ namespace cutting {
 using instruments::Kind;
 using instruments::ToolInput;
 using scenarios::world::Event;
+using scenarios::world::EventKind;
 using scenarios::world::World;
 using sim::geometry::Quat;
 using sim::geometry::Vec3;
@@ -82,7 +83,7 @@ struct Play {
     void move(std::size_t tool, const Vec3& by, int ticks) {
         for (int i = 0; i < ticks; ++i) scene.tools[tool].pose.position += by / ticks, tick();
     }
-    std::vector<Event> events(const std::string& kind) const {
+    std::vector<Event> events(EventKind kind) const {
         std::vector<Event> found;
         std::copy_if(world.events().begin(), world.events().end(), std::back_inserter(found),
                      [&](const Event& event) { return event.kind == kind; });
@@ -116,25 +117,25 @@ TEST(Break, OnceAtTheForceThatTheThreadBears) {
         play.close({0, 1});
         double rise = 0;
         int too_hard = 0;  // ticks
-        for (int i = 0; i < 2000 && play.events("break").empty(); ++i) {
+        for (int i = 0; i < 2000 && play.events(EventKind::broken).empty(); ++i) {
             const double before = play.world.tension_now();
             play.move(1, Vec3(2e-6, 0, 0), 1);
             rise = std::max(rise, play.world.tension_now() - before);
             too_hard += play.world.tension_now() > 1;
         }
-        ASSERT_EQ(play.events("break").size(), 1u);
+        ASSERT_EQ(play.events(EventKind::broken).size(), 1u);
         EXPECT_NEAR(too_hard, model == std::string("ftl") ? 100.5 : 1, 0.5);
         EXPECT_GT(play.world.measures().tension_max_N.value, 1);
         EXPECT_LE(play.world.measures().tension_max_N.value, 1 + too_hard * rise);
         EXPECT_LT(rise, 0.01) << "N: too fast to tell";
         EXPECT_EQ(play.world.thread_state().pieces().size(), 2u);
         EXPECT_TRUE(play.is_finite());
-        EXPECT_GT(play.events("break")[0].value, 3.0);  // mm: between the jaws
-        EXPECT_LT(play.events("break")[0].value, 27.0);
-        EXPECT_EQ(play.events("break")[0].what.substr(0, 12), "thread at 1.");
+        EXPECT_GT(play.events(EventKind::broken)[0].value, 3.0);  // mm: between the jaws
+        EXPECT_LT(play.events(EventKind::broken)[0].value, 27.0);
+        EXPECT_EQ(play.events(EventKind::broken)[0].what.substr(0, 12), "thread at 1.");
         play.fastest = 0;
         play.move(1, Vec3(5e-3, 0, 0), 200);
-        EXPECT_EQ(play.events("break").size(), 1u);
+        EXPECT_EQ(play.events(EventKind::broken).size(), 1u);
         EXPECT_LT(play.world.tension_now(), 0.05);
         EXPECT_LT(play.fastest, 1) << "m/s";
         EXPECT_TRUE(play.is_finite());
@@ -143,7 +144,7 @@ TEST(Break, OnceAtTheForceThatTheThreadBears) {
         EXPECT_EQ(play.world.tools()[0].grasps.size(), 1u);
         EXPECT_EQ(play.world.tools()[1].grasps.size(), 1u);
         RecordProperty(std::string("fastest_") + model, std::to_string(play.fastest));
-        RecordProperty(std::string("at_") + model, play.events("break")[0].what);
+        RecordProperty(std::string("at_") + model, play.events(EventKind::broken)[0].what);
     }
 }
 
@@ -151,8 +152,8 @@ TEST(Break, OnceAtTheForceThatTheThreadBears) {
 TEST(Break, AtTheForceOfItsSize) {
     Play play{Scene("elastic")};
     play.close({0, 1});
-    for (int i = 0; i < 2000 && play.events("break").empty(); ++i) play.move(1, Vec3(5e-6, 0, 0), 1);
-    ASSERT_EQ(play.events("break").size(), 1u);
+    for (int i = 0; i < 2000 && play.events(EventKind::broken).empty(); ++i) play.move(1, Vec3(5e-6, 0, 0), 1);
+    ASSERT_EQ(play.events(EventKind::broken).size(), 1u);
     EXPECT_NEAR(play.world.measures().tension_max_N.value, 1.96, 0.02);
 }
 
@@ -165,7 +166,7 @@ TEST(Break, NotBelowThatForce) {
         for (int i = 0; i < 2000 && play.world.tension_now() < 0.95; ++i) play.move(1, Vec3(2e-6, 0, 0), 1);
         for (int i = 0; i < 1000; ++i) play.tick();
         EXPECT_GT(play.world.tension_now(), 0.9);
-        EXPECT_TRUE(play.events("break").empty());
+        EXPECT_TRUE(play.events(EventKind::broken).empty());
         EXPECT_EQ(play.world.thread_state().pieces().size(), 1u);
     }
 }
@@ -180,7 +181,7 @@ TEST(Break, NotByATrackerThatLosesTheHand) {
     EXPECT_GT(play.world.tension_now(), play.scene.def.thread.break_force);
     play.scene.tools[1].pose.position = there;
     for (int i = 0; i < 300; ++i) play.tick();
-    EXPECT_TRUE(play.events("break").empty());
+    EXPECT_TRUE(play.events(EventKind::broken).empty());
 }
 
 // Where the thread is bent it bears less: a knotted one parts where it enters its knot.
@@ -196,7 +197,7 @@ TEST(Break, AtTheKnot) {
     ASSERT_EQ(play.world.measures().knot.factors.size(), 1u) << play.world.measures().knot.knot;
     play.close({0, 1});
     std::vector<double> tails;
-    for (int i = 0; i < 6000 && play.events("break").empty(); ++i) {
+    for (int i = 0; i < 6000 && play.events(EventKind::broken).empty(); ++i) {
         if (i % 50 == 0) {
             play.world.name_knot_now();
             play.world.locate_knot();
@@ -204,8 +205,8 @@ TEST(Break, AtTheKnot) {
         }
         play.move(1, Vec3(5e-6, 0, 0), 1);
     }
-    ASSERT_EQ(play.events("break").size(), 1u);
-    const double place = play.events("break")[0].value, whole = 1e3 * play.rest();
+    ASSERT_EQ(play.events(EventKind::broken).size(), 1u);
+    const double place = play.events(EventKind::broken)[0].value, whole = 1e3 * play.rest();
     EXPECT_GT(place, tails[0] - 0.5);
     EXPECT_LT(place, whole - tails[1] + 0.5);
     for (int i = 0; i < 300; ++i) play.move(1, Vec3(5e-6, 0, 0), 1);
@@ -222,9 +223,9 @@ TEST(Scissors, CutWhatTheyCloseOnAndHoldNothing) {
         Play play{Scene(model)};
         play.close({0, 1});
         play.close({2});
-        ASSERT_EQ(play.events("cut").size(), 1u);
-        EXPECT_EQ(play.events("cut")[0].what, "blades");
-        EXPECT_NEAR(play.events("cut")[0].value, 15 + 1.1, 0.05);
+        ASSERT_EQ(play.events(EventKind::cut).size(), 1u);
+        EXPECT_EQ(play.events(EventKind::cut)[0].what, "blades");
+        EXPECT_NEAR(play.events(EventKind::cut)[0].value, 15 + 1.1, 0.05);
         const auto pieces = play.world.thread_state().pieces();
         ASSERT_EQ(pieces.size(), 2u);
         EXPECT_NEAR(play.rest(), length - 1.05 * thickness, thickness);
@@ -233,7 +234,7 @@ TEST(Scissors, CutWhatTheyCloseOnAndHoldNothing) {
         play.move(1, Vec3(3e-3, 0, 0), 100);
         EXPECT_LT(play.world.tension_now(), 0.05);
         EXPECT_LT(play.world.measures().lag_max_mm[1].value, 0.5);
-        EXPECT_EQ(play.events("cut").size(), 1u);
+        EXPECT_EQ(play.events(EventKind::cut).size(), 1u);
         EXPECT_TRUE(play.is_finite());
     }
 }
@@ -250,7 +251,7 @@ TEST(Scissors, BesideJawsThatGoOnHolding) {
         play.close({0, 1});
         const int held = play.world.tools()[1].grasps.at(0).count;
         play.close({2});
-        ASSERT_EQ(play.events("cut").size(), 1u);
+        ASSERT_EQ(play.events(EventKind::cut).size(), 1u);
         ASSERT_EQ(play.world.thread_state().pieces().size(), 2u);
         ASSERT_FALSE(play.world.tools()[1].grasps.empty());
         const auto& grasps = play.world.tools()[1].grasps;
@@ -279,14 +280,14 @@ TEST(Scissors, TheKnotIsThatOfThePieceThatIsTied) {
     const auto before = play.world.measures();
     ASSERT_EQ(before.knot.factors.size(), 1u);
     play.close({2});
-    ASSERT_EQ(play.events("cut").size(), 1u);
+    ASSERT_EQ(play.events(EventKind::cut).size(), 1u);
     play.world.name_knot_now();
     play.world.locate_knot();
     const auto& after = play.world.measures();
     EXPECT_EQ(after.knot.knot, before.knot.knot);
     EXPECT_EQ(after.piece, 0);
     EXPECT_NEAR(after.tail_mm[0], before.tail_mm[0], 0.4);
-    const double cut_off = 1e3 * scene.def.thread.length - play.events("cut")[0].value;
+    const double cut_off = 1e3 * scene.def.thread.length - play.events(EventKind::cut)[0].value;
     EXPECT_NEAR(after.tail_mm[1], before.tail_mm[1] - cut_off, 0.5);
     EXPECT_GT(cut_off, 5);
     EXPECT_EQ(play.world.tied_piece().last, play.world.thread_state().pieces()[0].last);

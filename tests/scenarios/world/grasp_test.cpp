@@ -8,6 +8,7 @@
 namespace grasping {
 
 using instruments::ToolInput;
+using scenarios::world::EventKind;
 using scenarios::world::World;
 using sim::geometry::Quat;
 using sim::geometry::Vec3;
@@ -135,7 +136,7 @@ TEST(Tools, SayWhatHoldsThemUp) {
     };
     const auto told = [&] {
         return std::count_if(world.events().begin(), world.events().end(),
-                             [](const auto& event) { return event.kind == "held_up"; });
+                             [](const auto& event) { return event.kind == EventKind::held_up; });
     };
     lead(8);
     EXPECT_EQ(told(), 0);
@@ -158,7 +159,7 @@ TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
         world.tick(scene.tools);
     }
     ASSERT_EQ(std::count_if(world.events().begin(), world.events().end(),
-                            [](const auto& event) { return event.kind == "grasp"; }),
+                            [](const auto& event) { return event.kind == EventKind::grasp; }),
               2);
     double behind = 0;
     for (int t = 0; t < 300; ++t) {
@@ -167,10 +168,11 @@ TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
         behind = std::max(behind, world.tools()[1].lag());
     }
     ASSERT_GT(behind, 4 * world.tools()[1].shape.jaw_radius);
-    EXPECT_EQ(
-        std::count_if(world.events().begin(), world.events().end(),
-                      [](const auto& event) { return event.kind == "held_up" && event.what == "right by the thread"; }),
-        1);
+    EXPECT_EQ(std::count_if(world.events().begin(), world.events().end(),
+                            [](const auto& event) {
+                                return event.kind == EventKind::held_up && event.what == "right by the thread";
+                            }),
+              1);
 }
 
 // Strands that cross between closing jaws lie on one another there: jaws that shut all the way would press them through

@@ -6,6 +6,7 @@
 namespace needles {
 
 using instruments::ToolInput;
+using scenarios::world::EventKind;
 using scenarios::world::World;
 using sim::geometry::Arc;
 using sim::geometry::Vec3;
@@ -45,7 +46,7 @@ double off(const Arc& a, const Arc& b) {
     return (a.tail() - b.tail()).norm() + (a.tip() - b.tip()).norm();
 }
 
-std::size_t count(const World& world, const std::string& kind) {
+std::size_t count(const World& world, EventKind kind) {
     return static_cast<std::size_t>(std::count_if(world.events().begin(), world.events().end(),
                                                   [&](const auto& event) { return event.kind == kind; }));
 }
@@ -60,7 +61,7 @@ TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
     EXPECT_EQ(off(world.needle(), scene.def.needle), 0) << "nobody holds it";
     scene.tools[0].jaw = 0;
     go(10);
-    EXPECT_EQ(count(world, "needle_grasp"), 1u);
+    EXPECT_EQ(count(world, EventKind::needle_grasp), 1u);
     EXPECT_NEAR(world.events().back().value, 2, 0.01);  // millimetres from its tail; looks are chords
     EXPECT_TRUE(world.tools()[0].grasps.empty()) << "jaws that hold the needle hold no thread";
     for (int t = 0; t < 500; ++t) {
@@ -85,7 +86,7 @@ TEST(Needle, AStrandBetweenTheSameJawsIsHeldToo) {
                               beside - 8 * mm * along, beside + 8 * mm * along};
     World world(scene.def, {}, scene.tools);
     for (int t = 0; t < 100; ++t) world.tick(scene.tools), scene.tools[0].jaw -= 0.01;
-    EXPECT_EQ(count(world, "needle_grasp"), 1u);
+    EXPECT_EQ(count(world, EventKind::needle_grasp), 1u);
     EXPECT_EQ(world.tools()[0].grasps.size(), 1u);
     scene.tools[0].jaw = 0;
     for (int t = 0; t < 200; ++t) scene.tools[0].pose.position.x() += 0.02 * mm, world.tick(scene.tools);
@@ -103,7 +104,7 @@ TEST(Needle, TellsAtWhatAngleItIsHeld) {
         scene.tools[0].pose.position = at;
         World world(scene.def, {}, scene.tools);
         for (int t = 0; t < 10; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
-        ASSERT_EQ(count(world, "needle_grasp"), 1u);
+        ASSERT_EQ(count(world, EventKind::needle_grasp), 1u);
         EXPECT_EQ(world.events().back().what, aslant == 0 ? "right at 90 degrees" : "right at 60 degrees");
         ASSERT_TRUE(world.measures().needle_deg);
         EXPECT_NEAR(world.measures().needle_deg->value, 90 - aslant, 0.5);  // as the event rounds
@@ -132,12 +133,12 @@ TEST(Needle, BendsOnce) {
     const double arm = (scene.def.needle.tip() - scene.def.needle.at(2 * mm)).norm(),
                  bears = instruments::yield_moment(0.1 * mm) / arm;
     double before = 0;
-    while (count(world, "needle_bent") == 0 && world.time_s() < 2) {
+    while (count(world, EventKind::needle_bent) == 0 && world.time_s() < 2) {
         before = force();
         scene.tools[0].pose.position += 5 * mm * 1e-3 * on;
         world.tick(scene.tools);
     }
-    ASSERT_EQ(count(world, "needle_bent"), 1u);
+    ASSERT_EQ(count(world, EventKind::needle_bent), 1u);
     EXPECT_LE(before, bears);
     EXPECT_NEAR(world.events().back().value, bears, 0.05 * bears);  // what a step of 10 um adds to it
     EXPECT_NEAR(bears, 1.414e-3 / 6.30e-3, 1e-3);  // [N]: pi / 4 x 1.8 GPa x (0.1 mm)^3 over the chord of 7.3 mm
@@ -146,7 +147,7 @@ TEST(Needle, BendsOnce) {
         scene.tools[0].pose.position += 10 * mm * 1e-3 * on;
         world.tick(scene.tools);
     }
-    EXPECT_EQ(count(world, "needle_bent"), 1u);
+    EXPECT_EQ(count(world, EventKind::needle_bent), 1u);
     EXPECT_NEAR((world.needle().tip() - there.tip()).norm(), 2 * mm, 0.05 * mm) << "it stays as it is";
 }
 
@@ -179,8 +180,8 @@ TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
     scene.tools[1].pose.position.z() += 1 * mm;
     go(50);
     EXPECT_EQ(off(world.needle(), there), 0);
-    EXPECT_EQ(count(world, "needle_grasp"), 2u);
-    EXPECT_EQ(count(world, "needle_release"), 2u);
+    EXPECT_EQ(count(world, EventKind::needle_grasp), 2u);
+    EXPECT_EQ(count(world, EventKind::needle_release), 2u);
 }
 
 // Each leads its own thread, whatever becomes of the other's links.
@@ -198,10 +199,10 @@ TEST(Needle, IsHeldNoMoreByJawsThatLeftIt) {
     scene.tools[1].jaw = 0;
     go(5, 0);
     go(400, 0.05 * mm);
-    EXPECT_EQ(count(world, "needle_release"), 1u);
+    EXPECT_EQ(count(world, EventKind::needle_release), 1u);
     scene.tools[0].jaw = 1;
     go(5, 0);
-    EXPECT_EQ(count(world, "needle_release"), 2u);
+    EXPECT_EQ(count(world, EventKind::needle_release), 2u);
     go(100, 0.05 * mm);
     EXPECT_LT(off(world.needle(), scene.def.needle), 1e-12) << "it follows jaws 20 mm away";
 }

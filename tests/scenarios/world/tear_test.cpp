@@ -8,6 +8,7 @@
 namespace tearing {
 
 using instruments::ToolInput;
+using scenarios::world::EventKind;
 using scenarios::world::World;
 using sim::geometry::Quat;
 using sim::geometry::Vec3;
@@ -81,7 +82,7 @@ void draw(Scene& scene, World& world, double speed) {
 std::vector<scenarios::world::Event> torn(const World& world) {
     std::vector<scenarios::world::Event> found;
     for (const auto& event : world.events())
-        if (event.kind == "torn") found.push_back(event);
+        if (event.kind == EventKind::torn) found.push_back(event);
     return found;
 }
 
@@ -210,13 +211,13 @@ TEST_P(Tear, TearsOrBreaksOnceWhenYanked) {
         if (t < 40) scene.tools[0].pose.position.x() += 500 * mm * tick;
         world.tick(scene.tools);
     }
-    const auto count = [&](const char* kind) {
+    const auto count = [&](EventKind kind) {
         return std::count_if(world.events().begin(), world.events().end(),
                              [&](const auto& event) { return event.kind == kind; });
     };
-    EXPECT_LE(count("torn"), 1);
-    EXPECT_LE(count("break"), 1);
-    EXPECT_GE(count("torn") + count("break"), 1);
+    EXPECT_LE(count(EventKind::torn), 1);
+    EXPECT_LE(count(EventKind::broken), 1);
+    EXPECT_GE(count(EventKind::torn) + count(EventKind::broken), 1);
     EXPECT_EQ(world.measures().pass_throughs, 0u);
     EXPECT_LT(off_rest(world), 0.05 * mm);
     EXPECT_TRUE(
