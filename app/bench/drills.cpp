@@ -9,6 +9,7 @@
 #include "app/play/session.hpp"
 #include "scenarios/drill/drill.hpp"
 #include "scenarios/drill/motion.hpp"
+#include "scenarios/world/judge.hpp"
 
 namespace app::bench {
 
@@ -86,7 +87,7 @@ Played played(const std::string& file, const Way& way) {
         spent += took;
     }
     session.finish();  // names the knot as it is now
-    const auto& found = session.world().measures();
+    const auto found = scenarios::world::judge(session.world());
     const auto [shorter, longer] = std::minmax_element(found.tail_mm.begin(), found.tail_mm.end());
     const bool tied = !found.tail_mm.empty();
     return {found.knot.called(),

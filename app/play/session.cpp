@@ -9,6 +9,8 @@
 
 #include "app/machine.hpp"
 #include "scenarios/drill/score.hpp"
+#include "scenarios/world/judge.hpp"
+#include "scenarios/world/locate.hpp"
 
 namespace app {
 
@@ -90,8 +92,7 @@ Snapshot Session::snapshot(std::string caption) const {
 // Both strands leave a knot at the ends of the piece of thread that it takes up.
 std::optional<Snapshot> Session::knot_snapshot(std::string caption) {
     world_.name_knot_now();
-    world_.locate_knot();
-    const auto& tails_mm = world_.measures().tail_mm;
+    const auto tails_mm = locate_knot(world_).tail_mm;
     const auto rest = world_.thread_state().rest_lengths();
     if (tails_mm.size() < 2 || tails_mm[0] + tails_mm[1] == 0) return {};
     const auto nodes = world_.thread();
@@ -198,11 +199,9 @@ static scenarios::drill::Percentiles percentiles(std::vector<double> values) {
 
 Result Session::finish() {
     key_moments_.push_back(snapshot("the end"));
-    // Looking for the knot names it and measures its tails, which are scored below.
+    // Looking for the knot names it, as it is scored below.
     if (auto near = close_snapshot()) key_moments_.push_back(std::move(*near));
-    world_.judge_ties();
-    world_.judge_sewing();
-    const auto& measures = world_.measures();
+    const auto measures = judge(world_);
     const auto& worst = world_.worst();
 
     Result result;

@@ -55,7 +55,7 @@ bool World::cut(int link, double share) {
     list_held();
     if (!thread_.cut(link, share, held_)) return false;
     hold_pieces();
-    moved_since_named_ = true;
+    knot_watch_.note_motion();
     return true;
 }
 

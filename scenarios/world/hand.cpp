@@ -34,7 +34,7 @@ World::Strand World::hardest_pulling(int tool) const {
 
 // No farther against the strand than by what stretches it to that pull, and back by what stretches it beyond, as far as
 // it is tight now; by a radius of it a tick at most.
-ToolInput World::by_feel(int number, ToolInput next) const {
+ToolInput World::force_limited(int number, ToolInput next) const {
     constexpr double feels = 0.5;  // of its pull; and what pulls by less than that of what it feels is slack
     const Tool& tool = tools_[static_cast<std::size_t>(number)];
     const Strand strand = hardest_pulling(number);

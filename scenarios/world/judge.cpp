@@ -1,13 +1,16 @@
+// What was tied and sewn, once a session is over.
+#include "scenarios/world/judge.hpp"
+
 #include <algorithm>
 #include <limits>
 
+#include "scenarios/world/locate.hpp"
 #include "scenarios/world/world.hpp"
 #include "tissue/join.hpp"
 #include "tissue/lapse.hpp"
 #include "tissue/leak.hpp"
 #include "tissue/rim.hpp"
 
-// What was sewn, once a session is over.
 namespace scenarios::world {
 
 static const char* name_of(tissue::Side side) {
@@ -24,7 +27,8 @@ static const char* name_of(tissue::Side side) {
     return "";
 }
 
-// Of the ends on the outer side the farther from the cut: of an open mesh's rims the one that is next to each.
+// How far a bite's end on the outer side is from the cut, the farther where both are; of an open mesh's rims the one
+// next to each end counts [m].
 static double size_of(const tissue::Bite& bite, const tissue::Mesh& rest, const std::vector<tissue::Rim>& outer_rims) {
     double size = 0;
     for (const tissue::BiteEnd* end : {&bite.entry, &bite.exit}) {
@@ -66,40 +70,70 @@ static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const 
             number < vessel.bitten_s.size() ? vessel.bitten_s[number] : 0};
 }
 
-void World::judge_sewing() {
-    measures_.bites.clear();
-    measures_.join = {};
-    const auto slip = std::find_if(events_.begin(), events_.end(),
-                                   [](const Event& event) { return event.kind == EventKind::slipped; });
-    if (slip != events_.end()) measures_.slipped = slip->what, measures_.slipped_s = slip->t_s;
-    const auto threads = curves();
-    bool sewn = vessels_.size() == 2;
-    for (const SoftVessel& vessel : vessels_) {
+// What of the vessels' bites holds thread decides whether they are joined: ends that are open, each with a stitch in
+// it.
+static bool measure_bites(const World& world, Threads threads, std::vector<BiteMeasure>& bites) {
+    bool sewn = world.vessels().size() == 2;
+    for (const SoftVessel& vessel : world.vessels()) {
         const auto outer = tissue::rims(vessel.tissue.rest(), tissue::Side::outer);
-        const auto bites = vessel.bites.bites();
         bool holds = false;
-        for (std::size_t i = 0; i < bites.size(); ++i) {
-            const bool sewn_here = has_thread(bites[i], vessel, threads, def_.thread.diameter);
-            measures_.bites.push_back(measured(i, vessel, outer, sewn_here));
+        for (std::size_t i = 0; i < vessel.bites.bites().size(); ++i) {
+            const bool sewn_here = has_thread(vessel.bites.bites()[i], vessel, threads, world.def().thread.diameter);
+            bites.push_back(measured(i, vessel, outer, sewn_here));
             holds = holds || sewn_here;
         }
         sewn = sewn && !outer.empty() && holds;
     }
-    if (!sewn) return;
+    return sewn;
+}
+
+static JoinMeasure measure_join(const World& world, Threads threads) {
+    const double diameter = world.def().thread.diameter;
     const auto of = [&](const SoftVessel& vessel) {
         return tissue::SewnVessel{vessel.tissue.rest(), vessel.skin, vessel.bites.bites(), vessel.bites.def().axis};
     };
-    const tissue::Join join = tissue::judge(of(vessels_[0]), of(vessels_[1]), threads, def_.thread.diameter);
-    if (!join.is_sewn()) return;
-    for (const tissue::LinePiece& piece : join.line)
-        measures_.join.gap_mm = std::max(measures_.join.gap_mm, 1e3 * piece.gap);
-    measures_.join.lumen_ratio = join.lumen_ratio;
-    measures_.join.leak_ml_min = tissue::in_ml_per_min(join.leak());
+    const tissue::Join found = tissue::judge(of(world.vessels()[0]), of(world.vessels()[1]), threads, diameter);
+    JoinMeasure join;
+    if (!found.is_sewn()) return join;
+    for (const tissue::LinePiece& piece : found.line) join.gap_mm = std::max(join.gap_mm, 1e3 * piece.gap);
+    join.lumen_ratio = found.lumen_ratio;
+    join.leak_ml_min = tissue::in_ml_per_min(found.leak());
     tissue::LapseLimits limits;
-    limits.hole_diameters = 6 * def_.needle.wire / def_.thread.diameter;  // twice as long as it was made
-    for (const tissue::Lapse& lapse : tissue::lapses(join, limits))
-        measures_.join.lapses.push_back(
-            {lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.at_least, lapse.committed});
+    limits.hole_diameters = 6 * world.def().needle.wire / diameter;  // twice as long as it was made
+    for (const tissue::Lapse& lapse : tissue::lapses(found, limits))
+        join.lapses.push_back({lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.at_least, lapse.committed});
+    return join;
+}
+
+Sewing judge_sewing(const World& world) {
+    Sewing sewing;
+    const auto events = world.events();
+    const auto slip =
+        std::find_if(events.begin(), events.end(), [](const Event& event) { return event.kind == EventKind::slipped; });
+    if (slip != events.end()) sewing.slipped = slip->what, sewing.slipped_s = slip->t_s;
+    const auto threads = world.curves();
+    if (measure_bites(world, threads, sewing.bites)) sewing.join = measure_join(world, threads);
+    return sewing;
+}
+
+std::vector<TieMeasure> judge_ties(const World& world) {
+    std::vector<TieMeasure> ties;
+    for (const sim::thread::Piece& piece : world.thread_state().pieces()) {
+        const std::vector<Vec3> curve = world.curve_of(piece);
+        sim::knot::Name knot = sim::knot::name_knot(curve);
+        if (knot.factors.empty()) continue;
+        std::vector<double> tails = tails_of(curve, world.rest_of(piece), knot.knot);
+        ties.push_back({std::move(knot), std::move(tails)});
+    }
+    return ties;
+}
+
+Measures judge(const World& world) {
+    Measures measures = world.measures();
+    static_cast<KnotPlace&>(measures) = locate_knot(world);
+    static_cast<Sewing&>(measures) = judge_sewing(world);
+    measures.ties = judge_ties(world);
+    return measures;
 }
 
 }  // namespace scenarios::world

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 #include "scenarios/world/world.hpp"
 
@@ -51,7 +50,7 @@ void World::measure(const sim::thread::TickReport& report) {
     worst_.separation = std::min(worst_.separation, report.separation_min);
     worst_.step_over_bound = std::max(worst_.step_over_bound, report.step_over_bound);
     worst_.contacts = std::max(worst_.contacts, report.contacts);
-    moved_since_named_ |= report.substeps > 0;
+    if (report.substeps > 0) knot_watch_.note_motion();
 
     if (report.pass_throughs > 0) {
         if (measures_.pass_throughs == 0) measures_.first_pass_through_s = t;
@@ -71,7 +70,7 @@ void World::measure(const sim::thread::TickReport& report) {
             raise(measures_.lag_max_mm[i], 1e3 * tool.lag(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
     }
-    name_beside();
+    watch_knot();
 }
 
 std::vector<std::vector<Vec3>> World::curves() const {
@@ -80,54 +79,34 @@ std::vector<std::vector<Vec3>> World::curves() const {
     return curves;
 }
 
-// By crossings first, for a hitch is no knot; of pieces tied alike the first.
-static bool ties_more(const sim::knot::Tied& a, const sim::knot::Tied& b) {
-    const auto much = [](const sim::knot::Tied& tied) {
-        int crossings = 0;
-        for (const auto& factor : tied.name.factors) crossings += factor.crossings;
-        return std::tuple(crossings, tied.name.throw_list.size(), tied.round >= 0);
-    };
-    return much(a) > much(b);
+std::vector<Vec3> World::curve_of(const sim::thread::Piece& piece) const {
+    return {thread_.nodes().begin() + piece.first, thread_.nodes().begin() + piece.last + 1};
 }
 
-// A piece that lies where it lay has the name it had.
-static std::vector<NamedPiece> name_all(std::vector<std::vector<Vec3>> curves,
-                                        const std::vector<std::vector<Vec3>>& cores,
-                                        const std::vector<NamedPiece>& known) {
-    std::vector<NamedPiece> pieces;
-    for (auto& curve : curves) {
-        const auto same =
-            std::find_if(known.begin(), known.end(), [&](const NamedPiece& piece) { return piece.curve == curve; });
-        sim::knot::Tied tied = same != known.end() ? same->tied : sim::knot::name_among(curve, cores);
-        pieces.push_back({std::move(curve), std::move(tied)});
-    }
-    return pieces;
+std::span<const double> World::rest_of(const sim::thread::Piece& piece) const {
+    return thread_.rest_lengths().subspan(static_cast<std::size_t>(piece.first),
+                                          static_cast<std::size_t>(piece.last - piece.first));
 }
 
-// Ten names a second, faster than anyone reads them, each of a copy on another thread: no tick waits for the 2 ms that
-// a name takes. It is taken at a tick known beforehand, so that a session is the same however busy the machine is.
-void World::name_beside() {
-    constexpr std::uint64_t period = 100, delay = 20;  // [ticks]
-    if (naming_.valid() && ticks_ % period == delay) take_names(naming_.get());
-    if (ticks_ % period != 0 || !moved_since_named_) return;
-    moved_since_named_ = false;
-    naming_ = std::async(std::launch::async, [curves = curves(), cores = cores_, known = named_]() mutable {
-        return name_all(std::move(curves), cores, known);
-    });
+// The knot's name may be of a moment ago, when there were fewer pieces.
+sim::thread::Piece World::tied_piece() const {
+    const auto pieces = thread_.pieces();
+    return pieces[std::min(static_cast<std::size_t>(measures_.piece), pieces.size() - 1)];
+}
+
+void World::watch_knot() {
+    if (knot_watch_.fetch(ticks_)) note_knot();
+    if (knot_watch_.is_due(ticks_)) knot_watch_.start(curves());
 }
 
 void World::name_knot_now() {
-    if (naming_.valid()) naming_.get();  // out of date
-    moved_since_named_ = false;
-    take_names(name_all(curves(), cores_, named_));
+    knot_watch_.name_now(curves());
+    note_knot();
 }
 
-void World::take_names(std::vector<NamedPiece> pieces) {
-    named_ = std::move(pieces);
-    std::size_t most = 0;
-    for (std::size_t i = 1; i < named_.size(); ++i)
-        if (ties_more(named_[i].tied, named_[most].tied)) most = i;
-    const auto& [name, round] = named_[most].tied;
+void World::note_knot() {
+    const std::size_t most = knot_watch_.most_tied();
+    const auto& [name, round] = knot_watch_.named()[most].tied;
     if (name.knot != measures_.knot.knot || name.surgical != measures_.knot.surgical) {
         log(EventKind::knot, name.called(), 0);
         measures_.knot_since_s = time_s();

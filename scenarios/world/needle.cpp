@@ -46,12 +46,6 @@ bool World::take(Needle& needle, int number, const JawRoom& room) {
     return true;
 }
 
-bool World::is_needle_in_wall() const {
-    return std::any_of(vessels_.begin(), vessels_.end(), [](const SoftVessel& vessel) {
-        return vessel.bites.touches() || vessel.bites.holes_on_needle() > 0;
-    });
-}
-
 bool World::take_needle(int number, const JawRoom& room) {
     for (std::size_t i = 0; i < needles_.size(); ++i) {
         if (!take(needles_[i], number, room)) continue;
@@ -84,7 +78,7 @@ void World::watch_needle() {
     Needle& needle = needles_[in_use_];
     if (needle.bent || needle.holder.tool < 0) return;
     Vec3 force = Vec3::Zero();
-    for (const SoftVessel& vessel : vessels_) force += vessel.bites.force();
+    for (const SoftVessel& vessel : vessels()) force += vessel.bites.force();
     const double arm = (needle.now.tip() - needle.now.at(needle.holder.along)).norm();
     if (force.norm() * arm <= instruments::yield_moment(needle.now.wire)) return;
     needle.bent = true;

@@ -93,25 +93,25 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
 
 // Of a wall with all that presses on it at a hole, at so many places [N/m]: as much as some 5 mm of 6-0 polypropylene
 // along itself, and twice that where thread cannot stretch. Thread and wall are stepped in turn, each reckoning with
-// how the other gives way (`wall_gives`): where this is too little, as at a fifth, or as where all of a strand that
-// lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a bite pulled to
-// what it bears goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is
+// how the other gives way (`wall_compliance`): where this is too little, as at a fifth, or as where all of a strand
+// that lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a bite pulled
+// to what it bears goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is
 // shared by all places that are pressed at a hole.
 static double stiffness_with(bool elastic, int places) {
-    return elastic ? std::max(5e3, places / wall_gives) : 1e4;
+    return elastic ? std::max(5e3, places / wall_compliance) : 1e4;
 }
 
-void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geometry::Triangle& shown, double believed) {
+void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geometry::Triangle& shown, double trusted) {
     if (force.force.isZero(0)) return;
     const int triangle = force.triangle - first;
     const Vec3 weights = tissue::weights_in(shown, force.at);
     const double size = force.force.norm();
-    const Vec3 way = force.force / size;
-    const double gone = way.dot(tissue::point_in(skin[triangle], weights) - force.at);
+    const Vec3 direction = force.force / size;
+    const double gone = direction.dot(tissue::point_in(skin[triangle], weights) - force.at);
     // A wall that comes back meets a thread that comes after it, and presses as hard; one that sleeps holds it where it
     // was.
-    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), believed * size, way,
-                       (force.asleep ? gone : std::max(0.0, gone)) - way.dot(force.deeper)});
+    presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), trusted * size, direction,
+                       (force.asleep ? gone : std::max(0.0, gone)) - direction.dot(force.deeper)});
 }
 
 void SoftVessel::load(double share, bool elastic) {
@@ -121,12 +121,50 @@ void SoftVessel::load(double share, bool elastic) {
     };
     for (const Press& press : presses) all(press).size += press.size, ++all(press).places;
     for (const Press& press : presses) {
-        if (press.hole >= 0) pulls[static_cast<std::size_t>(press.hole)] += share * press.size * press.way;
+        if (press.hole >= 0) pulls[static_cast<std::size_t>(press.hole)] += share * press.size * press.direction;
         const double stiffness = stiffness_with(elastic, all(press).places) * press.size / all(press).size;
         const double left = std::max(0.0, press.size - stiffness * press.gone);
-        forces.push_back({press.at, share * left * press.way, share * stiffness});
+        forces.push_back({press.at, share * left * press.direction, share * stiffness});
     }
     presses.clear();
+}
+
+void SoftVessel::step(double seconds) {
+    tissue.step({.holds = clamps, .forces = forces}, seconds);
+    forces.clear();
+    skin.update(tissue.nodes());
+    bites.settle(skin);
+}
+
+static EventKind kind_of(tissue::BiteEvent::Kind kind) {
+    switch (kind) {
+        case tissue::BiteEvent::pierced:
+            return EventKind::pierced;
+        case tissue::BiteEvent::through:
+            return EventKind::through;
+        case tissue::BiteEvent::back_in:
+            return EventKind::back_in;
+        case tissue::BiteEvent::withdrawn:
+            return EventKind::withdrawn;
+        case tissue::BiteEvent::drawn:
+            return EventKind::drawn;
+        case tissue::BiteEvent::torn:
+            return EventKind::torn;
+        case tissue::BiteEvent::slipped:
+            return EventKind::slipped;
+    }
+    return EventKind::slipped;
+}
+
+void SoftVessel::note_bites(double now_s, std::vector<Event>& events) {
+    for (const tissue::BiteEvent& event : bites.events()) {
+        events.push_back({now_s, kind_of(event.kind), name, event.force});
+        const bool is_bite = event.kind == tissue::BiteEvent::pierced || event.kind == tissue::BiteEvent::through ||
+                             event.kind == tissue::BiteEvent::withdrawn;
+        if (!is_bite) continue;
+        bitten_s.resize(bites.bites().size());
+        bitten_s[static_cast<std::size_t>(event.bite)] = now_s;
+    }
 }
 
 std::vector<sim::geometry::Triangle> with_skins(std::vector<sim::geometry::Triangle> triangles,

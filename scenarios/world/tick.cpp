@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "scenarios/world/jaws.hpp"
@@ -6,6 +8,7 @@
 namespace scenarios::world {
 
 void World::tick(std::span<const ToolInput> inputs) {
+    assert(inputs.size() == tools_.size());
     ++ticks_;
     move_instruments(inputs);
     fit_links();
@@ -13,7 +16,7 @@ void World::tick(std::span<const ToolInput> inputs) {
     const sim::thread::TickReport report = move_thread();
     let_tools_wait();
     let_grasps_slip();
-    move_vessels();
+    move_walls();
     watch_needle();
     measure(report);
     part_thread();
@@ -31,8 +34,8 @@ static ToolInput within_a_tick(const Tool& tool, const ToolInput& wanted, double
                          : wanted;
 }
 
-// Its clamps run on screws, and walls come after them.
-static ToolInput by_screw(const Tool& tool, const ToolInput& wanted, double tick_s) {
+// An approximator's clamps run on screws, and walls come after them.
+static ToolInput speed_limited(const Tool& tool, const ToolInput& wanted, double tick_s) {
     constexpr double screw = 0.01;  // [m/s]
     const double opens =
         instruments::opening_of(tool.shape, wanted.jaw) - instruments::opening_of(tool.shape, tool.now.jaw);
@@ -43,7 +46,8 @@ static ToolInput by_screw(const Tool& tool, const ToolInput& wanted, double tick
             tool.now.jaw + share * (wanted.jaw - tool.now.jaw)};
 }
 
-static double told_behind(const Tool& tool) {
+// How far a tool is behind its hand when that is told [m].
+static double lag_report_threshold(const Tool& tool) {
     return 2 * tool.shape.jaw_radius;
 }
 
@@ -61,21 +65,20 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
         if (tool.def.kind == instruments::Kind::scissors)
             next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
-        if (tool.def.kind == instruments::Kind::approximator) next = by_screw(tool, next, def_.tick_s);
-        if (std::isfinite(tool.def.pull)) next = by_feel(static_cast<int>(i), next);
+        if (tool.def.kind == instruments::Kind::approximator) next = speed_limited(tool, next, def_.tick_s);
+        if (std::isfinite(tool.def.pull)) next = force_limited(static_cast<int>(i), next);
         const instruments::Advance advance = tool_world_.advance(static_cast<int>(i), next);
         tool.now = advance.reached;
         tool.stopped = advance.stopped;
         tool.asked = *wanted;
         if (tool.stopped)
-            tell_what_holds_up(
-                tool, advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel");
+            report_lag(tool, advance.tool >= 0 ? tools_[static_cast<std::size_t>(advance.tool)].def.name : "a vessel");
     }
 }
 
-// Or a motion fails, and its author does not learn where.
-void World::tell_what_holds_up(Tool& tool, const std::string& by) {
-    if (tool.held_up || tool.lag() < told_behind(tool)) return;
+// Without this event a motion fails and its author never learns where.
+void World::report_lag(Tool& tool, const std::string& by) {
+    if (tool.held_up || tool.lag() < lag_report_threshold(tool)) return;
     tool.held_up = true;
     log(EventKind::held_up, tool.def.name + " by " + by, 1e3 * tool.lag());
 }
@@ -130,16 +133,15 @@ sim::thread::TickReport World::move_thread() {
         hold_thread_on(needle);
         swages_.push_back(needle.node);
     }
-    return thread_.tick({holds_,
-                         hold_owners_,
-                         capsules_,
-                         &wall_.tree(),
-                         def_.tick_s,
-                         {},
-                         wall_moved_,
-                         swages_,
-                         vessels_.empty() ? wall_.size() : vessels_.front().first,
-                         wall_gives});
+    return thread_.tick({.holds = holds_,
+                         .hold_owners = hold_owners_,
+                         .capsules = capsules_,
+                         .surface = &walls_.tree(),
+                         .seconds = def_.tick_s,
+                         .surface_moved = walls_.moved(),
+                         .sheathed = swages_,
+                         .soft_from = walls_.soft_from(),
+                         .soft_give = wall_compliance});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic one lets all wait for one.
@@ -151,13 +153,35 @@ void World::let_tools_wait() {
             tool.now = {instruments::between(tool.before.pose, tool.now.pose, share),
                         tool.before.jaw + share * (tool.now.jaw - tool.before.jaw)};
             tool_world_.set_pose(static_cast<int>(i), tool.now);
-            if (!tool.stopped) tell_what_holds_up(tool, "the thread");
+            if (!tool.stopped) report_lag(tool, "the thread");
             for (Needle& needle : needles_)
                 if (needle.holder.tool == static_cast<int>(i)) needle.now = needle.led_by(tool.now.pose);
         }
-        constexpr double caught_up = 0.5;  // or one that stays as far behind as is told is told again and again
-        if (tool.lag() < caught_up * told_behind(tool)) tool.held_up = false;
+        // A tool that stays about as far behind as is told must not be told again and again.
+        constexpr double caught_up = 0.5;
+        if (tool.lag() < caught_up * lag_report_threshold(tool)) tool.held_up = false;
     }
+}
+
+// By `ftl` a tension is an estimate from lag: what thread and jaws would not bear of it is not there.
+double World::trusted_share() const {
+    if (is_elastic()) return 1;
+    const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()),
+                 most = std::min(most_pull(), def_.thread.break_force);
+    return tension <= most ? 1 : most / tension;
+}
+
+// Walls feel one needle at a time: another that was taken is felt once they hold the one before no longer.
+void World::move_walls() {
+    if (in_use_ != taken_ && !walls_.hold_needle()) in_use_ = taken_;
+    if (vessels().empty()) return;
+    walls_.tick({.thread = thread_,
+                 .tools = tools_,
+                 .needle = needles_.empty() ? nullptr : &needle_in_use(),
+                 .trusted_share = trusted_share(),
+                 .tick = ticks_,
+                 .tick_s = def_.tick_s},
+                events_);
 }
 
 }  // namespace scenarios::world

@@ -1,6 +1,6 @@
 #include "scenarios/world/world.hpp"
 
-#include <bit>
+#include <cassert>
 #include <cmath>
 
 #include "sim/geometry/resample.hpp"
@@ -64,107 +64,58 @@ static sim::thread::Thread make_thread(const WorldDef& world) {
     return {thread, nodes, cuts};
 }
 
-static std::vector<SoftVessel> soft_vessels(const WorldDef& def) {
-    std::vector<SoftVessel> vessels;
-    for (const VesselDef& vessel : def.vessels)
-        if (vessel.is_soft) vessels.emplace_back(vessel, def.needle.wire);
-    return vessels;
+static std::vector<Tool> make_tools(const WorldDef& def, std::span<const ToolInput> start) {
+    std::vector<Tool> tools;
+    for (std::size_t i = 0; i < def.instruments.size(); ++i) {
+        Tool& tool = tools.emplace_back();
+        tool.def = def.instruments[i];
+        tool.shape = instruments::shape_of(tool.def.kind);
+        tool.asked = tool.before = tool.now = start[i];
+        tool.grasps.reserve(16);
+        tool.walls.reserve(WallGrip::most);
+    }
+    return tools;
 }
 
-static double thinnest_wall(const WorldDef& def) {
-    double thinnest = 1e300;
-    for (const VesselDef& vessel : def.vessels) thinnest = std::min(thinnest, vessel.wall);
-    return thinnest;
+static std::vector<Needle> make_needles(const WorldDef& def, const std::vector<sim::thread::Piece>& pieces) {
+    std::vector<Needle> needles;
+    if (!def.needle_code.empty()) needles.push_back({0, def.needle, def.needle, {}, {}});
+    for (const SpareDef& spare : def.spares)
+        needles.push_back({pieces[needles.size()].first, spare.needle, spare.needle, {}, {}});
+    return needles;
 }
 
 World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, std::span<const ToolInput> start)
     : def_(def),
       thread_(make_thread(def)),
-      vessels_(soft_vessels(def)),
-      wall_contact_({}, thinnest_wall(def)),
-      wall_(with_skins(surface, vessels_), def.thread.diameter / 2),
-      targets_(wall_.tree().triangles()),
-      strength_{def.thread.break_force} {
+      walls_(def, surface),
+      tools_(make_tools(def, start)),
+      needles_(make_needles(def, thread_.pieces())),
+      strength_{def.thread.break_force},
+      knot_watch_(def) {
+    assert(start.size() == def.instruments.size());
     if (!surface.empty()) tool_world_.add_surface(std::move(surface));
-    for (std::size_t i = 0; i < def.instruments.size(); ++i) {
-        const auto kind = def.instruments[i].kind;
-        tool_world_.set_pose(tool_world_.add_tool(kind), start[i]);
-        tools_.push_back(
-            {def.instruments[i], instruments::shape_of(kind), start[i], start[i], start[i], {}, false, false, false});
-        tools_.back().grasps.reserve(16);
-        tools_.back().walls.reserve(256);  // two walls at each look along the longest jaws
-    }
-    for (SoftVessel& vessel : vessels_) clamp(vessel);
-    for (const VesselDef& vessel : def.vessels) {  // beyond the thread at either end, wherever it lies
-        const Vec3 half = (0.5 * vessel.length + def.thread.length) * vessel.axis.normalized();
-        cores_.push_back({vessel.centre - half, vessel.centre, vessel.centre + half});
-    }
-    const std::size_t tools = tools_.size();
-    if (!def.needle_code.empty()) needles_.push_back({0, def.needle, def.needle, {}, {}});
-    const auto pieces = thread_.pieces();
-    for (const SpareDef& spare : def.spares)
-        needles_.push_back({pieces[needles_.size()].first, spare.needle, spare.needle, {}, {}});
+    for (std::size_t i = 0; i < tools_.size(); ++i)
+        tool_world_.set_pose(tool_world_.add_tool(tools_[i].def.kind), start[i]);
+    walls_.clamp(tools_);
     measures_.tail_mm.assign(2, 0);
-    measures_.path_mm.assign(tools, 0);
-    measures_.grasps.assign(tools, 0);
-    measures_.lag_max_mm.assign(tools, {});
-    const std::size_t on_needles = 2 * needles_.size();
-    for (auto* of_nodes : {&held_, &hold_owners_}) of_nodes->reserve(16 * tools + on_needles);
-    holds_.reserve(16 * tools + on_needles);
-    capsules_.reserve(instruments::part_count * tools + instruments::needle_parts * needles_.size());
+    measures_.path_mm.assign(tools_.size(), 0);
+    measures_.grasps.assign(tools_.size(), 0);
+    measures_.lag_max_mm.assign(tools_.size(), {});
+    reserve();
+}
+
+void World::reserve() {
+    const std::size_t held = Grasp::most * tools_.size() + 2 * needles_.size();
+    for (auto* of_nodes : {&held_, &hold_owners_}) of_nodes->reserve(held);
+    holds_.reserve(held);
+    capsules_.reserve(instruments::part_count * tools_.size() + instruments::needle_parts * needles_.size());
     swages_.reserve(needles_.size());
     events_.reserve(1024);
-    gaps_.reserve(4096);
 }
 
 void World::log(EventKind kind, const std::string& what, double value) {
     events_.push_back({time_s(), kind, what, value});
-}
-
-std::uint64_t World::hash() const {
-    std::uint64_t hash = thread_.hash();
-    const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; };
-    for (const Tool& tool : tools_) {
-        for (const ToolInput* input : {&tool.now, &tool.asked}) {
-            for (int c = 0; c < 3; ++c) add(input->pose.position[c]);
-            for (int c = 0; c < 4; ++c) add(input->pose.rotation.coeffs()[c]);
-        }
-        add(tool.now.jaw);
-        add(tool.closed);
-        for (const Grasp& grasp : tool.grasps) {
-            add(grasp.first);
-            for (int k = 0; k < grasp.count; ++k)
-                for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
-        }
-    }
-    const auto add_place = [&](const Vec3& place) {
-        for (int c = 0; c < 3; ++c) add(place[c]);
-    };
-    for (const SoftVessel& vessel : vessels_) {
-        for (const Vec3& node : vessel.tissue.nodes()) add_place(node);
-        for (int t = 0; t < vessel.skin.size(); ++t)
-            add_place(wall_.tree()[vessel.first + t].a);  // which may be behind the tissue
-        for (const tissue::Bite& bite : vessel.bites.bites())
-            add(static_cast<double>(bite.state) + 4 * bite.on_needle + 8 * bite.torn);
-    }
-    for (const Needle& needle : needles_) {
-        for (const Vec3* of_needle : {&needle.now.centre, &needle.now.to_tail, &needle.now.onwards})
-            add_place(*of_needle);
-        for (const Holder* holder : {&needle.holder, &needle.next}) add(holder->tool);
-        add(needle.bent);
-    }
-    for (const std::size_t needle : {taken_, in_use_})
-        if (needle > 0) add(static_cast<double>(needle));
-    for (const Tool& tool : tools_)
-        for (const WallGrip& grip : tool.walls) add_place(grip.anchor);
-    if (strength_.pulled_s > 0) add(strength_.pulled_s);
-    for (const SoftVessel& vessel : vessels_) {
-        for (const Vec3& pull : vessel.pulls) add_place(pull);
-        for (const Vec3& pull : vessel.mean_pulls) add_place(pull);
-        for (const sim::thread::Strength& strength : vessel.strengths)
-            if (strength.pulled_s > 0) add(strength.pulled_s);
-    }
-    return hash;
 }
 
 }  // namespace scenarios::world

@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "scenarios/world/judge.hpp"
+#include "scenarios/world/locate.hpp"
 #include "scenarios/world/world.hpp"
 #include "sim/thread/thread.hpp"
 
@@ -200,8 +202,7 @@ TEST(Break, AtTheKnot) {
     for (int i = 0; i < 6000 && play.events(EventKind::broken).empty(); ++i) {
         if (i % 50 == 0) {
             play.world.name_knot_now();
-            play.world.locate_knot();
-            tails = play.world.measures().tail_mm;
+            tails = locate_knot(play.world).tail_mm;
         }
         play.move(1, Vec3(5e-6, 0, 0), 1);
     }
@@ -276,14 +277,12 @@ TEST(Scissors, TheKnotIsThatOfThePieceThatIsTied) {
     scene.tie(-6e-3, 1e-3, 15e-3);
     Play play(scene);
     play.world.name_knot_now();
-    play.world.locate_knot();
-    const auto before = play.world.measures();
+    const auto before = judge(play.world);
     ASSERT_EQ(before.knot.factors.size(), 1u);
     play.close({2});
     ASSERT_EQ(play.events(EventKind::cut).size(), 1u);
     play.world.name_knot_now();
-    play.world.locate_knot();
-    const auto& after = play.world.measures();
+    const auto after = judge(play.world);
     EXPECT_EQ(after.knot.knot, before.knot.knot);
     EXPECT_EQ(after.piece, 0);
     EXPECT_NEAR(after.tail_mm[0], before.tail_mm[0], 0.4);
@@ -291,7 +290,6 @@ TEST(Scissors, TheKnotIsThatOfThePieceThatIsTied) {
     EXPECT_NEAR(after.tail_mm[1], before.tail_mm[1] - cut_off, 0.5);
     EXPECT_GT(cut_off, 5);
     EXPECT_EQ(play.world.tied_piece().last, play.world.thread_state().pieces()[0].last);
-    play.world.judge_ties();
     ASSERT_EQ(after.ties.size(), 1u) << "the piece that was cut off is not tied";
     EXPECT_EQ(after.ties[0].knot.knot, after.knot.knot);
     EXPECT_EQ(after.ties[0].tail_mm, after.tail_mm);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scenarios/world/judge.hpp"
 #include "scenarios/world/world.hpp"
 
 namespace tearing {
@@ -143,9 +144,9 @@ TEST_P(Tear, OpensTheBiteOnceAndLetsTheThreadGo) {
         EXPECT_LE(farthest, 0.0) << "the thread is out of the wall, beyond the cut";
         EXPECT_NEAR(length(world), at_first, 1e-3 * at_first);
         EXPECT_LT(off_rest(world), 0.05 * mm);
-        world.judge_sewing();
-        ASSERT_EQ(world.measures().bites.size(), 1u);
-        EXPECT_TRUE(world.measures().bites[0].torn);
+        const auto bites = judge_sewing(world).bites;
+        ASSERT_EQ(bites.size(), 1u);
+        EXPECT_TRUE(bites[0].torn);
         if (again) {
             EXPECT_EQ(world.hash(), hash);
         }
