@@ -17,8 +17,8 @@ struct SurfaceData {
 };
 
 struct Body {
-    std::unique_ptr<SurfaceData> surface;  ///< None for a capsule.
-    std::unique_ptr<btCollisionShape> shape;
+    std::shared_ptr<SurfaceData> surface;  ///< None for a capsule.
+    std::shared_ptr<btCollisionShape> shape;
     std::unique_ptr<btCollisionObject> object;
 };
 
@@ -58,6 +58,13 @@ struct BulletWorld::Impl {
     btCollisionWorld world{&dispatcher, &broadphase, &configuration};
     std::deque<Body> bodies;
 
+    explicit Impl(double units) : units_per_metre(units) {
+        world.setForceUpdateAllAabbs(false);
+        // Bullet is never asked to integrate or to respond, so its sweeps and allowed penetration (0.04) stay out of it.
+        world.getDispatchInfo().m_useContinuous = false;
+        world.getDispatchInfo().m_allowedCcdPenetration = 0;
+    }
+
     btVector3 bullet(const Vec3& p) const {
         return {p.x() * units_per_metre, p.y() * units_per_metre, p.z() * units_per_metre};
     }
@@ -75,24 +82,43 @@ struct BulletWorld::Impl {
         return index;
     }
 
+    // A body's box in Bullet's tree is wider than the body, by what depends on how it moved before, and decides what is
+    // found near it: a copy's boxes are the original's, bit for bit.
+    void add_copy(const Body& other) {
+        const int flags = other.object->getCollisionFlags();
+        const int index = add({other.surface, other.shape, nullptr}, flags);
+        btCollisionObject& object = *bodies[static_cast<std::size_t>(index)].object;
+        object.setWorldTransform(other.object->getWorldTransform());
+        world.updateSingleAabb(&object);
+        const auto leaf_of = [](btCollisionObject& of) {
+            return static_cast<btDbvtProxy*>(of.getBroadphaseHandle())->leaf;
+        };
+        btDbvtVolume box = leaf_of(*other.object)->volume;
+        broadphase.m_sets[0].update(leaf_of(object), box);
+    }
+
     ~Impl() {
         for (Body& body : bodies) world.removeCollisionObject(body.object.get());
     }
 };
 
-BulletWorld::BulletWorld(double metres_per_unit) : impl_(std::make_unique<Impl>()) {
-    impl_->units_per_metre = 1 / metres_per_unit;
-    impl_->world.setForceUpdateAllAabbs(false);
-    // Bullet is never asked to integrate or to respond, so its sweeps and allowed penetration (0.04) stay out of it.
-    impl_->world.getDispatchInfo().m_useContinuous = false;
-    impl_->world.getDispatchInfo().m_allowedCcdPenetration = 0;
+BulletWorld::BulletWorld(double metres_per_unit) : impl_(std::make_unique<Impl>(1 / metres_per_unit)) {}
+
+BulletWorld::BulletWorld(const BulletWorld& other) : impl_(std::make_unique<Impl>(other.impl_->units_per_metre)) {
+    for (const Body& body : other.impl_->bodies) impl_->add_copy(body);
 }
 
+BulletWorld& BulletWorld::operator=(const BulletWorld& other) {
+    return *this = BulletWorld(other);
+}
+
+BulletWorld::BulletWorld(BulletWorld&&) noexcept = default;
+BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 BulletWorld::~BulletWorld() = default;
 
 int BulletWorld::add_surface(const std::vector<Triangle>& triangles) {
     Body body;
-    body.surface = std::make_unique<SurfaceData>();
+    body.surface = std::make_shared<SurfaceData>();
     auto& [corners, indices, arrays] = *body.surface;
     for (const Triangle& triangle : triangles)
         for (const Vec3* p : {&triangle.a, &triangle.b, &triangle.c}) {
@@ -104,7 +130,7 @@ int BulletWorld::add_surface(const std::vector<Triangle>& triangles) {
         static_cast<int>(indices.size()), corners.data(), static_cast<int>(3 * sizeof(btScalar)));
     // Compressed boxes would add a fixed 1 unit around the mesh and 0.002 around each triangle.
     const bool compressed = false;
-    auto shape = std::make_unique<btBvhTriangleMeshShape>(arrays.get(), compressed);
+    auto shape = std::make_shared<btBvhTriangleMeshShape>(arrays.get(), compressed);
     shape->setMargin(0);  // a wall is where its triangles are
     body.shape = std::move(shape);
     return impl_->add(std::move(body), btCollisionObject::CF_STATIC_OBJECT);
@@ -113,7 +139,7 @@ int BulletWorld::add_surface(const std::vector<Triangle>& triangles) {
 int BulletWorld::add_capsule(double length, double radius) {
     Body body;
     // A capsule's margin is its radius: nothing is added to the real size.
-    body.shape = std::make_unique<btCapsuleShapeZ>(radius * impl_->units_per_metre, length * impl_->units_per_metre);
+    body.shape = std::make_shared<btCapsuleShapeZ>(radius * impl_->units_per_metre, length * impl_->units_per_metre);
     return impl_->add(std::move(body), btCollisionObject::CF_KINEMATIC_OBJECT);
 }
 

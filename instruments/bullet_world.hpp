@@ -20,6 +20,11 @@ class BulletWorld {
   public:
     explicit BulletWorld(double metres_per_unit = bullet_unit);
     ~BulletWorld();
+    /// The copy finds what this one finds, whatever moves in either from then on; shapes, which never change, are shared.
+    BulletWorld(const BulletWorld& other);
+    BulletWorld& operator=(const BulletWorld& other);
+    BulletWorld(BulletWorld&&) noexcept;
+    BulletWorld& operator=(BulletWorld&&) noexcept;
 
     /// Bodies are numbered 0, 1, 2 ... in the order they are added.
     int add_surface(const std::vector<Triangle>& triangles);  ///< Static; at least one triangle.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <tuple>
 
 #include "sim/geometry/closest_points.hpp"
 
@@ -248,7 +249,7 @@ TEST(ToolWorld, TheSignAndLengthOfAQuaternionDoNotMatter) {
     }
 }
 
-// A recording is replayed in another process, where memory lies elsewhere and other benches came before.
+// A recording is replayed in another process, where memory lies elsewhere and other worlds came before.
 TEST(ToolWorld, TheSameCallsGiveTheSameBits) {
     const auto run = [] {
         ToolWorld world;
@@ -274,6 +275,33 @@ TEST(ToolWorld, TheSameCallsGiveTheSameBits) {
     const std::vector<std::unique_ptr<int>> elsewhere(1000);
     const auto second = run();
     EXPECT_EQ(std::memcmp(first.data(), second.data(), first.size() * sizeof(double)), 0);
+}
+
+// A drill is taken over at a checkpoint: a copy must go on as the original does, and neither may disturb the other.
+TEST(ToolWorld, ACopyGoesOnAsTheOriginalDoes) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    ToolWorld world;
+    world.add_surface(vessel());
+    const std::array<int, 2> tools{world.add_tool(Kind::forceps), world.add_tool(Kind::needle_holder)};
+    world.set_pose(tools[0], {{Vec3(-4e-3, 0, 6e-3), down}, 1});
+    world.set_pose(tools[1], {{Vec3(4e-3, 0, 6e-3), down}, 1});
+    ToolWorld copy = world;
+    int stops = 0;
+    for (int tick = 0; tick < 400; ++tick)
+        for (const int tool : tools) {
+            if (tick % 50 == 0) copy = world;
+            const Vec3 position = 4e-3 * Vec3(uniform(random), uniform(random), 1 + uniform(random));
+            const ToolInput wanted{{position, down}, 0.5 + uniform(random)};
+            const Advance a = world.advance(tool, wanted), b = copy.advance(tool, wanted);
+            stops += a.stopped;
+            ASSERT_EQ(a.reached.pose.position, b.reached.pose.position) << tick;
+            ASSERT_EQ(a.reached.pose.rotation.coeffs(), b.reached.pose.rotation.coeffs()) << tick;
+            ASSERT_EQ(a.reached.jaw, b.reached.jaw) << tick;
+            ASSERT_EQ(std::tie(a.stopped, a.part, a.tool, a.surface), std::tie(b.stopped, b.part, b.tool, b.surface));
+            ASSERT_EQ(world.clearance(tool, 1e-3), copy.clearance(tool, 1e-3)) << tick;
+        }
+    EXPECT_GT(stops, 50);  // otherwise the seed does not test anything
 }
 
 // A drill may start with a tool pressed into a vessel: it must come out, and must not be let in deeper.
@@ -314,4 +342,30 @@ TEST(BulletWorld, WhatIsNearDoesNotDependOnHowItGotThere) {
     EXPECT_GT(found.size(), 5u);
     EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     EXPECT_EQ(found, near_after({5, 0, 4, 2, 1, 3, 3, 5, 0, 2}));
+}
+
+// Bullet keeps a wider box about each body than it has, wider where it moved: a copy that made its own would find less.
+TEST(BulletWorld, ACopyFindsWhatTheOriginalFinds) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    BulletWorld world;
+    for (int i = 0; i < 6; ++i) world.add_capsule(10e-3, 1e-3);
+    world.add_surface(vessel());
+    const auto place = [&](BulletWorld& in, int body, const Vec3& from) {
+        in.place(body, {from, from + Vec3(0, 0, 10e-3), 1e-3}, Vec3::UnitY());
+    };
+    for (int round = 0; round < 20; ++round) {
+        for (int body = 0; body < 6; ++body)
+            place(world, body, 5e-3 * Vec3(uniform(random), uniform(random), uniform(random)));
+        for (int body = 0; body < 6; ++body)  // a little way on, within the wider box
+            place(world, body, 5e-3 * Vec3(body - 2.5, 0, 0) + 0.02e-3 * Vec3(uniform(random), uniform(random), 0));
+        const BulletWorld copy = world;
+        for (int look = 0; look < 200; ++look) {
+            Box box;
+            box.include(15e-3 * Vec3(uniform(random), uniform(random), uniform(random)));
+            std::vector<BulletWorld::Near> expected, found;
+            world.near(box, expected), copy.near(box, found);
+            ASSERT_EQ(found, expected) << round << ' ' << look;
+        }
+    }
 }
