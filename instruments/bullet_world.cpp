@@ -3,6 +3,7 @@
 #include <btBulletCollisionCommon.h>
 
 #include <algorithm>
+#include <cassert>
 #include <deque>
 
 namespace instruments {
@@ -60,7 +61,8 @@ struct BulletWorld::Impl {
 
     explicit Impl(double units) : units_per_metre(units) {
         world.setForceUpdateAllAabbs(false);
-        // Bullet is never asked to integrate or to respond, so its sweeps and allowed penetration (0.04) stay out of it.
+        // Bullet is never asked to integrate or to respond, so its sweeps and allowed penetration (0.04) stay out of
+        // it.
         world.getDispatchInfo().m_useContinuous = false;
         world.getDispatchInfo().m_allowedCcdPenetration = 0;
     }
@@ -117,6 +119,7 @@ BulletWorld& BulletWorld::operator=(BulletWorld&&) noexcept = default;
 BulletWorld::~BulletWorld() = default;
 
 int BulletWorld::add_surface(const std::vector<Triangle>& triangles) {
+    assert(!triangles.empty() && "a surface of at least one triangle");
     Body body;
     body.surface = std::make_shared<SurfaceData>();
     auto& [corners, indices, arrays] = *body.surface;
@@ -144,6 +147,7 @@ int BulletWorld::add_capsule(double length, double radius) {
 }
 
 void BulletWorld::place(int index, const Capsule& capsule, const Vec3& hinge_axis) {
+    assert(index >= 0 && static_cast<std::size_t>(index) < impl_->bodies.size() && "the number of a body");
     const Vec3 z = (capsule.b - capsule.a).normalized(), x = hinge_axis.cross(z);
     const btMatrix3x3 basis(x.x(), hinge_axis.x(), z.x(), x.y(), hinge_axis.y(), z.y(), x.z(), hinge_axis.z(), z.z());
     btCollisionObject& object = *impl_->bodies[static_cast<std::size_t>(index)].object;

@@ -18,24 +18,28 @@ constexpr double bullet_unit = 1e-3;
 /// The Bullet bodies of a ToolWorld, and who is near whom. Everything outside is in metres.
 class BulletWorld {
   public:
+    /// `metres_per_unit`: how long Bullet's unit is, above 0 [m].
     explicit BulletWorld(double metres_per_unit = bullet_unit);
     ~BulletWorld();
-    /// The copy finds what this one finds, whatever moves in either from then on; shapes, which never change, are shared.
+    /// The copy finds what this one finds, whatever moves in either from then on; shapes, which never change, are
+    /// shared.
     BulletWorld(const BulletWorld& other);
     BulletWorld& operator=(const BulletWorld& other);
     BulletWorld(BulletWorld&&) noexcept;
     BulletWorld& operator=(BulletWorld&&) noexcept;
 
-    /// Bodies are numbered 0, 1, 2 ... in the order they are added.
-    int add_surface(const std::vector<Triangle>& triangles);  ///< Static; at least one triangle.
-    int add_capsule(double length, double radius);            ///< Kinematic; `length` between its end points [m].
+    /// Adds a static surface of at least one triangle [m]. Bodies are numbered 0, 1, 2 ... in the order they are added;
+    /// returns its number.
+    int add_surface(const std::vector<Triangle>& triangles);
+    /// Adds a kinematic capsule, `length` between its end points [m]; returns its number.
+    int add_capsule(double length, double radius);
 
-    /// Moves a capsule: its end points, and the hinge axis (unit, perpendicular to b - a).
+    /// Moves the capsule of this number: its end points [m], and the hinge axis (unit, perpendicular to b - a).
     void place(int body, const Capsule& capsule, const Vec3& hinge_axis);
 
     /// Something near a box: a capsule, or one triangle of a surface. Ordered by body, then by triangle.
     struct Near {
-        int body;
+        int body;      ///< Its number.
         int triangle;  ///< Index into the surface's triangles; -1 for a capsule.
         auto operator<=>(const Near&) const = default;
     };

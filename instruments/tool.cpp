@@ -39,7 +39,7 @@ std::array<Capsule, part_count> parts_at(const ToolShape& shape, const Pose& pos
     return {Capsule{world(0, front - shape.shaft_length), world(0, front), shape.shaft_radius}, jaw_at(1), jaw_at(-1)};
 }
 
-double way_between(const Pose& from, const Pose& to, double arm) {
+double distance_between(const Pose& from, const Pose& to, double arm) {
     const double turn = 2 * (from.rotation.conjugate() * to.rotation).vec().norm();
     return (to.position - from.position).norm() + turn * arm;
 }

@@ -1,3 +1,11 @@
+// Tools are driven to where their hands ask and stop at what they meet.
+//
+// Method: conservative advancement [Mirtich1996]. A motion is taken in legs, a leg in steps; each step goes as far as
+// the separating planes between the tool's parts and what is near allow, so that nothing is ever passed, at any speed.
+// What is stopped slides along the obstacle as a god-object with a friction cone [Ruspini1997] does. Positions alone:
+// tools have no mass, and a surgeon's hand does not bounce. Cost: three tree queries where nothing is near.
+// [Mirtich1996] Impulse-based Dynamic Simulation of Rigid Body Systems. [Ruspini1997] The Haptic Display of Complex
+// Graphical Environments.
 #include "instruments/tool_world.hpp"
 
 #include <algorithm>

@@ -18,8 +18,8 @@ double World::place_mm(int link, double share) const {
     return 1e3 * std::accumulate(rest.begin(), rest.begin() + link, share * rest[static_cast<std::size_t>(link)]);
 }
 
-// Once a tick: what else was pulled as hard is so no longer. Where it cannot break, as next to an end, it is asked
-// again as long as the pull lasts.
+// The thread breaks in one place a tick: whatever else was pulled as hard is slack then. Where it cannot break, as next
+// to an end, it is tried again as long as the pull lasts.
 void World::break_where_pulled_too_hard() {
     if (!strength_.gives_way(tension_now_, def_.tick_s, is_elastic())) return;
     const int link = thread_.most_loaded();
@@ -35,8 +35,8 @@ void World::break_where_pulled_too_hard() {
     if (!measures_.broke_s) measures_.broke_s = time_s();
 }
 
-// Blades that close cut every strand that passes between them, as jaws would hold it; from the last, so that links
-// before keep their numbers.
+// Blades that close cut every strand that passes between them, as jaws would hold it. They start at the last strand, so
+// that the links before it keep their numbers.
 void World::close_blades(Tool& tool) {
     if (tool.now.jaw > open_above) tool.closed = false;
     if (tool.closed || tool.now.jaw > shut_below) return;
@@ -59,7 +59,7 @@ bool World::cut(int link, double share) {
     return true;
 }
 
-// What is held is found again by its new numbers in held_.
+// After a cut each tool and needle finds what it holds by the new numbers in held_.
 void World::hold_pieces() {
     std::span<const int> left = held_;
     for (Tool& tool : tools_) {
@@ -71,7 +71,7 @@ void World::hold_pieces() {
     for (Needle& needle : needles_) needle.node = left.front(), left = left.subspan(2);
 }
 
-// Of a strand cut between the jaws both stumps are held to their ends, each as a strand of its own.
+// When a strand is cut between a tool's jaws, both stumps are held to their ends, each as a strand of its own.
 void World::hold_pieces(Tool& tool, std::span<const int> held) {
     std::vector<Grasp> pieces;
     const auto hold = [&](int node, const Vec3& anchor) {
@@ -86,7 +86,7 @@ void World::hold_pieces(Tool& tool, std::span<const int> held) {
     std::size_t next = 0;
     for (const Grasp& grasp : tool.grasps) {
         pieces.push_back({0, 0, {}});
-        bool lost = false;  // a node, since the last that is left
+        bool lost = false;  // a node has gone since the last that is left
         for (int k = 0; k < grasp.count; ++k) {
             const int node = held[next++];
             if (node < 0) {

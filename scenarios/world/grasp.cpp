@@ -60,15 +60,14 @@ const T& at(std::span<const T> values, int i) {
     return values[static_cast<std::size_t>(i)];
 }
 
-// Whether there is such a link: not where the thread ends or was cut.
+// Whether the thread has such a link: it ends there, or was cut, where it has none.
 bool joins(const sim::thread::Thread& thread, int link) {
     return link >= 0 && link < static_cast<int>(thread.rest_lengths().size()) && !thread.is_cut(link);
 }
 
-// What jaws of this width hold of a strand whose link passes through their middle plane y = 0 between them, or ends
-// there: its nodes and those beside it within the jaws, and one beyond on either side. So the first free link starts
-// outside the metal: one between the jaws with a free end would be wedged in them. Nothing (count 0) where the link
-// does not pass.
+// The strand that jaws of this width hold by a link which passes through their middle plane y = 0, or ends in it: the
+// nodes within the jaws and one beyond on either side. So the first free link starts outside the metal: one between the
+// jaws with a free end would be wedged in them. No nodes where the link does not pass.
 template <class Place, class IsFree, class IsJoined>
 Grasp strand_between(const JawRoom& room, double width, int link, const Place& place, const IsFree& is_free,
                      const IsJoined& is_joined) {
@@ -124,7 +123,7 @@ void World::update_grasps() {
             tool.closed = true;
             const JawRoom shut(tool.shape, tool.now.jaw);
             const bool has_needle = take_needle(number, shut);
-            take_hold(tool);  // beside a needle too: what is crushed and not held lets nothing go on
+            take_hold(tool);  // beside a needle too: thread that is crushed and not held would jam
             if (!has_needle) take_wall(tool, shut);
         } else if (tool.closed && tool.now.jaw > open_above) {
             tool.closed = false;
@@ -153,12 +152,13 @@ void World::close_onto_strands(int number) {
     }
 }
 
-// What its free strands pull the one way more than the other [N]; of `ftl`, which has no forces, the estimate.
+// How much harder one free end of a grasped strand is pulled than the other [N]; the thread of `ftl` has no forces,
+// only the estimate.
 double World::pull_on(const Grasp& grasp) const {
     return is_elastic() ? std::abs(tension_after(grasp) - tension_before(grasp)) : tension_at(grasp.middle());
 }
 
-// An estimate from lag: all of it but the share that the grip bears.
+// How far a strand of `ftl` slides in this tick: the tool's lag, less the share of it that the grip bears [m].
 Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
     const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
     const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor -
@@ -166,9 +166,10 @@ Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
     return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
 }
 
-// What the strand outside, as far as it is that tight, is stretched by the pull beyond the grip, by its radius a tick
-// at most; halfway between how it leaves the jaws and how it goes on: one that is bent back over them would be pulled
-// tighter by leaving them straight.
+// How far an elastic strand slides in this tick [m]: by what the pull beyond the grip stretches the strand outside, as
+// far as that is so tight, and by a radius of the thread at most. The direction is halfway between how the strand
+// leaves the jaws and how it goes on: a strand that is bent back over them would be pulled tighter by leaving them
+// straight.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
     const int inner = ahead ? grasp.first + grasp.count - 1 : grasp.first, outwards = ahead ? 1 : -1,
@@ -192,9 +193,10 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     const Vec3 slide = is_elastic() ? slide_by_stretch(tool, grasp) : slide_by_lag(tool, grasp);
     const Vec3 shift = tool.now.pose.rotation.conjugate() * slide;
 
-    // What the jaws hold now: what lies between them after the shift, in the place it then has.
+    // The jaws hold what lies between them after the shift, in the place that it then has.
     const Grasp before = std::exchange(grasp, Grasp{});
-    // From where a strand with tension is, for it may be behind; one without is told to be where it lags to.
+    // A strand of `ftl` may lag behind its anchors, so it is shifted from where they are; an elastic one from where it
+    // is.
     const auto place = [&](int k) -> Vec3 {
         const int held = k - before.first;
         const bool from_anchor = !is_elastic() && held >= 0 && held < before.count;

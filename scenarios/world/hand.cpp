@@ -4,8 +4,8 @@
 // at it harder than that.
 namespace scenarios::world {
 
-// What the strand from this link on, as far as it pulls harder than `least`, is longer by for this much of its pull; a
-// radius at most [m].
+// How much shorter the strand from this link on would be with `excess` less pull, as far as it pulls harder than
+// `least`; a radius of the thread at most [m].
 double World::stretch_by(double excess, int link, int outwards, double least) const {
     const int links = static_cast<int>(thread_.tension().size());
     const auto at = [](std::span<const double> values, int k) { return values[static_cast<std::size_t>(k)]; };
@@ -16,7 +16,7 @@ double World::stretch_by(double excess, int link, int outwards, double least) co
                     thread_.def().radius);
 }
 
-// Of all that it holds, which pulls hardest; pulls with nothing where there is none.
+// The strand that pulls hardest at a tool; one that pulls with nothing where the tool holds none.
 World::Strand World::hardest_pulling(int tool) const {
     Strand hardest;
     const auto look = [&](int inner, int outwards, double pull) {
@@ -32,19 +32,22 @@ World::Strand World::hardest_pulling(int tool) const {
     return hardest;
 }
 
-// No farther against the strand than by what stretches it to that pull, and back by what stretches it beyond, as far as
-// it is tight now; by a radius of it a tick at most.
+// Where the next input takes the tool, limited by force: no farther against the strand than by what stretches it to the
+// tool's pull, and back by what stretches it beyond, as far as it is tight now; by a radius of the thread a tick at
+// most.
 ToolInput World::force_limited(int number, ToolInput next) const {
-    constexpr double feels = 0.5;  // of its pull; and what pulls by less than that of what it feels is slack
+    // A hand feels pulls above this share of its own; strands that pull by less than this share of what it feels are
+    // slack.
+    constexpr double feels = 0.5;
     const Tool& tool = tools_[static_cast<std::size_t>(number)];
     const Strand strand = hardest_pulling(number);
     if (strand.pull <= feels * tool.def.pull) return next;
     const auto node = [&](int k) -> const Vec3& { return thread_.nodes()[static_cast<std::size_t>(k)]; };
     const int link = strand.outwards > 0 ? strand.inner : strand.inner - 1;
-    const double gives = stretch_by(strand.pull - tool.def.pull, link, strand.outwards, feels * strand.pull);
+    const double recoil = stretch_by(strand.pull - tool.def.pull, link, strand.outwards, feels * strand.pull);
     const Vec3 towards = (node(strand.inner + strand.outwards) - node(strand.inner)).normalized();
     const double goes = (next.pose.position - tool.now.pose.position).dot(towards);
-    next.pose.position += std::max(0.0, gives - goes) * towards;
+    next.pose.position += std::max(0.0, recoil - goes) * towards;
     return next;
 }
 

@@ -27,7 +27,7 @@ std::uint64_t World::hash() const {
     for (const SoftVessel& vessel : vessels()) {
         for (const Vec3& node : vessel.tissue.nodes()) add_place(node);
         for (int t = 0; t < vessel.skin.size(); ++t)
-            add_place(walls_.tree()[vessel.first + t].a);  // which may be behind the tissue
+            add_place(walls_.tree()[vessel.first + t].a);  // what is shown may be behind the tissue
         for (const tissue::Bite& bite : vessel.bites.bites())
             add(static_cast<double>(bite.state) + 4 * bite.on_needle + 8 * bite.torn);
     }

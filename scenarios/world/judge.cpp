@@ -70,8 +70,8 @@ static BiteMeasure measured(std::size_t number, const SoftVessel& vessel, const 
             number < vessel.bitten_s.size() ? vessel.bitten_s[number] : 0};
 }
 
-// What of the vessels' bites holds thread decides whether they are joined: ends that are open, each with a stitch in
-// it.
+// Appends every bite. True where both of two vessels are cut and have a bite that holds thread: only then is there a
+// join to judge.
 static bool measure_bites(const World& world, Threads threads, std::vector<BiteMeasure>& bites) {
     bool sewn = world.vessels().size() == 2;
     for (const SoftVessel& vessel : world.vessels()) {
@@ -99,7 +99,7 @@ static JoinMeasure measure_join(const World& world, Threads threads) {
     join.lumen_ratio = found.lumen_ratio;
     join.leak_ml_min = tissue::in_ml_per_min(found.leak());
     tissue::LapseLimits limits;
-    limits.hole_diameters = 6 * world.def().needle.wire / diameter;  // twice as long as it was made
+    limits.hole_diameters = 6 * world.def().needle.wire / diameter;  // twice as long as the needle made it
     for (const tissue::Lapse& lapse : tissue::lapses(found, limits))
         join.lapses.push_back({lapse.name, lapse.measure, lapse.value, lapse.limit, lapse.at_least, lapse.committed});
     return join;

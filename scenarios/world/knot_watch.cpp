@@ -49,7 +49,7 @@ void KnotWatch::name_now(std::vector<std::vector<Vec3>> curves) {
     named_ = name_all(std::move(curves), cores_, named_);
 }
 
-// By crossings first, for a hitch is no knot.
+// Whether a piece is tied more than another: by crossings first, for a hitch is no knot.
 static bool ties_more(const sim::knot::Tied& a, const sim::knot::Tied& b) {
     const auto much = [](const sim::knot::Tied& tied) {
         int crossings = 0;

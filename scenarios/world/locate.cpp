@@ -45,8 +45,8 @@ double off_surface(const VesselDef& tube, const Vec3& p) {
            0.5 * tube.diameter;
 }
 
-// Signed passages of the stretch [first, last] through the half plane that hangs from the vessel's axis: once round is
-// +-1.
+// How often the stretch [first, last] of a curve goes round a vessel: its signed passages through the half plane that
+// hangs from the vessel's axis, once round is 1 or -1.
 int turns_around(const VesselDef& vessel, const std::vector<Vec3>& curve, std::size_t first, std::size_t last) {
     const Vec3 axis = vessel.axis.normalized();
     const Vec3 across = axis.cross(std::abs(axis.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).normalized();

@@ -9,7 +9,7 @@ namespace scenarios::world {
 
 namespace {
 
-// The largest of a quantity and when it was reached.
+// Keeps the largest value and when it was reached.
 void raise(Moment& largest, double value, double at_s) {
     if (value > largest.value) largest = {value, at_s};
 }
@@ -22,7 +22,8 @@ double World::tension_at(int node) const {
     return std::max(k > 0 ? tension[k - 1] : 0.0, k < tension.size() ? tension[k] : 0.0);
 }
 
-// Of the first links that the jaws do not hold; nought where there is none, or it is pushed together.
+// Tension of the first link that the jaws do not hold, on either side; 0 where there is none, or it is pushed together
+// [N].
 double World::tension_before(const Grasp& grasp) const {
     return grasp.first > 0 ? std::max(0.0, thread_.tension()[static_cast<std::size_t>(grasp.first) - 1]) : 0;
 }
@@ -32,8 +33,8 @@ double World::tension_after(const Grasp& grasp) const {
     return link < thread_.tension().size() ? std::max(0.0, thread_.tension()[link]) : 0;
 }
 
-// No thread pulls harder than the jaws that hold it: beyond their grip it slides. One that only a needle leads pulls as
-// hard as it likes, one that nobody holds not at all. The estimate from lag alone knows no such limit.
+// The most that any thread can pull with [N]. It is the weakest grip, beyond which thread slides; without limit where
+// only a needle leads it, and 0 where nobody holds it. The estimate from lag alone knows no such limit.
 double World::most_pull() const {
     const auto is_led = [](const Needle& needle) { return needle.holder.tool >= 0; };
     double most = std::any_of(needles_.begin(), needles_.end(), is_led) ? std::numeric_limits<double>::infinity() : 0;
@@ -66,8 +67,8 @@ void World::measure(const sim::thread::TickReport& report) {
         const Tool& tool = tools_[i];
         const auto leads = [&](const Needle& needle) { return needle.holder.tool == static_cast<int>(i); };
         const bool pulls = !tool.grasps.empty() || std::any_of(needles_.begin(), needles_.end(), leads);
-        if (pulls && !tool.stopped)  // by steel or a wall: what it lacks then is no pull on the thread
-            raise(measures_.lag_max_mm[i], 1e3 * tool.lag(), t);
+        // What a tool lacks that steel or a wall stops is no pull on the thread.
+        if (pulls && !tool.stopped) raise(measures_.lag_max_mm[i], 1e3 * tool.lag(), t);
         measures_.path_mm[i] += 1e3 * (tool.now.pose.position - tool.before.pose.position).norm();
     }
     watch_knot();

@@ -1,3 +1,6 @@
+// Walls come after their tissue as fast as the thread makes room: once a tick each corner's displacement is projected
+// onto what all strands near it allow, the nearest point of a convex set, by Hildreth's method (Hildreth 1957;
+// Dykstra's projections on half spaces).
 #include "scenarios/world/moving_wall.hpp"
 
 #include <algorithm>
@@ -35,7 +38,7 @@ void MovingWall::number_corners(const std::vector<Holes>& holes) {
         }
     }
     room_.resize(targets_.size());
-    ways_.resize(targets_.size());
+    steps_.resize(targets_.size());
     share_.resize(hole_.empty() ? 0 : static_cast<std::size_t>(1 + *std::max_element(hole_.begin(), hole_.end())));
 }
 
@@ -59,47 +62,47 @@ void MovingWall::show() {
         moved_[t] = {places_[at(corners_[t][0])], places_[at(corners_[t][1])], places_[at(corners_[t][2])]};
 }
 
-// A thread that touches is pushed on by a fifth of its radius a tick, and no farther into than two fifths: what tools
-// may press it.
-double MovingWall::may(double room) const {
+// How far a corner may come nearer to thread that is `room` off [m]. Thread that it touches is pushed on by a fifth of
+// its radius a tick, and no farther into than two fifths: what tools may press it.
+double MovingWall::most_step(double room) const {
     constexpr double share = 0.45, left_at_least = 0.6;
     return share * std::max(0.0, room - left_at_least * radius_);
 }
 
 void MovingWall::move_holes(std::span<const sim::thread::SurfaceGap> gaps) {
     std::fill(share_.begin(), share_.end(), 1.0);
-    const auto shorten = [&](std::size_t corner, double way, double most) {
-        if (hole_[corner] >= 0 && way > most)
-            share_[at(hole_[corner])] = std::min(share_[at(hole_[corner])], most / way);
+    const auto shorten = [&](std::size_t corner, double step, double most) {
+        if (hole_[corner] >= 0 && step > most)
+            share_[at(hole_[corner])] = std::min(share_[at(hole_[corner])], most / step);
     };
-    for (std::size_t c = 0; c < ways_.size(); ++c) shorten(c, ways_[c].norm(), may(room_[c]));
+    for (std::size_t c = 0; c < steps_.size(); ++c) shorten(c, steps_[c].norm(), most_step(room_[c]));
     for (const auto& gap : gaps)
         for (const int corner : corners_[at(gap.triangle)])
-            shorten(at(corner), ways_[at(corner)].dot(gap.normal), may(gap.gap));
-    for (std::size_t c = 0; c < ways_.size(); ++c)
-        if (hole_[c] >= 0) ways_[c] *= share_[at(hole_[c])];
+            shorten(at(corner), steps_[at(corner)].dot(gap.normal), most_step(gap.gap));
+    for (std::size_t c = 0; c < steps_.size(); ++c)
+        if (hole_[c] >= 0) steps_[c] *= share_[at(hole_[c])];
 }
 
-// What of a way comes nearer by more than it may is left out; the rest slides. That is the nearest way to the one asked
-// for that no strand forbids, found by Hildreth's method: what each strand took is remembered and given back where
-// others take it. Without that, strands that look all ways, as in a knot, turn a corner's way round one after the
-// other, and it runs off.
+// The part of a step that comes nearer to a strand than it may is left out; the rest slides. That is the displacement
+// nearest to the one asked for that no strand forbids, found by Hildreth's method: what each strand took is remembered
+// and returned where others take it. Without that, strands on all sides, as in a knot, turn a corner's step round one
+// after the other, and the corner runs off.
 void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
-    constexpr int sweeps = 6;  // what is left after them shortens its way
+    constexpr int sweeps = 6;  // after them a step that still comes too near is shortened
     taken_.assign(3 * gaps.size(), 0);
     for (int sweep = 0; sweep <= sweeps; ++sweep)
         for (std::size_t g = 0; g < gaps.size(); ++g)
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t corner = at(corners_[at(gaps[g].triangle)][k]);
                 if (hole_[corner] >= 0) continue;
-                Vec3& way = ways_[corner];
-                const double nearer = way.dot(gaps[g].normal), most = may(gaps[g].gap);
+                Vec3& step = steps_[corner];
+                const double nearer = step.dot(gaps[g].normal), most = most_step(gaps[g].gap);
                 double& taken = taken_[3 * g + k];
                 const double more = std::max(-taken, nearer - most);
                 if (sweep < sweeps)
-                    way -= more * gaps[g].normal, taken += more;
+                    step -= more * gaps[g].normal, taken += more;
                 else if (nearer > most)
-                    way *= most / nearer;
+                    step *= most / nearer;
             }
 }
 
@@ -112,14 +115,15 @@ double MovingWall::follow(std::span<const Triangle> targets, std::span<const dou
             targets_[corner] = *corners_of(targets[t])[k];
             room_[corner] = std::min(room_[corner], rooms[t]);
         }
-    for (std::size_t c = 0; c < places_.size(); ++c) ways_[c] = targets_[c] - places_[c];
+    for (std::size_t c = 0; c < places_.size(); ++c) steps_[c] = targets_[c] - places_[c];
     move_holes(gaps);
     move_rest(gaps);
     double most = 0;
     for (std::size_t c = 0; c < places_.size(); ++c) {
-        if (ways_[c].dot(targets_[c] - places_[c]) <= 0) continue;  // turned round still
-        const double far = ways_[c].norm(), most_here = may(room_[c]), share = far > most_here ? most_here / far : 1;
-        places_[c] += share * ways_[c];
+        if (steps_[c].dot(targets_[c] - places_[c]) <= 0) continue;  // it is still turned round
+        const double far = steps_[c].norm(), most_here = most_step(room_[c]),
+                     share = far > most_here ? most_here / far : 1;
+        places_[c] += share * steps_[c];
         most = std::max(most, share * far);
     }
     if (most == 0) return 0;

@@ -18,21 +18,21 @@ using sim::geometry::Triangle;
 /// ways, so that it keeps its width.
 class MovingWall {
   public:
-    /// Of each corner of a triangle: the hole that it is about; none: -1.
+    /// For each corner of a triangle the hole that it is about; none: -1.
     using Holes = std::array<int, 3>;
 
-    /// None has a hole yet. `radius`: of the thread [m].
+    /// Triangles without a hole [m]. `radius`: the thread's [m].
     MovingWall(std::vector<Triangle> triangles, double radius);
 
-    /// Other triangles in place of these, each a part of one of them: what is left stays where it was shown. `holes`:
-    /// one each. Milliseconds.
+    /// Other triangles in place of these, each a part of one of them: what is left stays where it was shown. `parts`
+    /// and `holes`: one for each triangle. Takes milliseconds.
     void renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts, const std::vector<Holes>& holes);
 
-    const sim::geometry::TriangleTree& tree() const { return tree_; }
-    int size() const { return tree_.size(); }
+    const sim::geometry::TriangleTree& tree() const { return tree_; }  ///< As the thread meets them.
+    int size() const { return tree_.size(); }                          ///< How many triangles.
 
-    /// Towards `targets`, one each. `rooms` and `gaps`: of Thread::surface_room(). Returns the farthest that any corner
-    /// went [m]. Allocates nothing.
+    /// Goes towards `targets`, one for each triangle. `rooms` and `gaps`: as Thread::surface_room() tells. Returns the
+    /// farthest that any corner went [m]. Allocates nothing.
     double follow(std::span<const Triangle> targets, std::span<const double> rooms,
                   std::span<const sim::thread::SurfaceGap> gaps);
 
@@ -41,18 +41,21 @@ class MovingWall {
     void show();
     void move_holes(std::span<const sim::thread::SurfaceGap> gaps);
     void move_rest(std::span<const sim::thread::SurfaceGap> gaps);
-    double may(double room) const;
+    double most_step(double room) const;
 
-    double radius_;
+    double radius_;  // of the thread [m]
     sim::geometry::TriangleTree tree_;
-    std::vector<std::array<int, 3>> corners_;  // of each triangle; those that began in one place are one
-    std::vector<sim::geometry::Vec3> places_, targets_;
-    std::vector<double> room_;               // of each corner [m]
-    std::vector<sim::geometry::Vec3> ways_;  // of each in this tick [m]
-    std::vector<int> hole_;                  // of each
-    std::vector<double> share_;              // of their ways that corners about a hole make
-    std::vector<double> taken_;              // of the ways of each gap's corners, along its normal [m]
-    std::vector<Triangle> moved_;
+    std::vector<std::array<int, 3>> corners_;  // of each triangle; corners that began in one place are one
+    std::vector<int> hole_;                    // of each corner, the hole that it is about; none: -1
+    std::vector<sim::geometry::Vec3> places_;  // of each corner, where it is shown [m]
+    std::vector<Triangle> moved_;              // what is shown
+
+    // Scratch of follow().
+    std::vector<sim::geometry::Vec3> targets_;  // of each corner, where it should be [m]
+    std::vector<double> room_;                  // of each corner [m]
+    std::vector<sim::geometry::Vec3> steps_;    // of each corner, its displacement in this tick [m]
+    std::vector<double> share_;                 // of each hole, how much of their displacements its corners make
+    std::vector<double> taken_;  // of each gap's corners, what it took of their steps along its normal [m]
 };
 
 }  // namespace scenarios::world

@@ -7,16 +7,16 @@
 
 namespace scenarios::world {
 
-// Between the jaws' middle plane and the wire: as it should be held, 90.
+// Angle between the jaws' middle plane and the wire [degrees]; a needle should be held at 90.
 static double degrees_to_jaws(const Arc& seen, double along) {
     const Vec3 wire = seen.tangent(along);
     return 180 / 3.14159265358979324 *
            sim::geometry::portable_atan2(std::abs(wire.y()), std::sqrt(wire.x() * wire.x() + wire.z() * wire.z()));
 }
 
-// Along the wire [m], where it passes through the jaws' middle plane between them.
+// Where the wire passes through the jaws' middle plane between them, along the wire from its tail [m].
 static std::optional<double> place_between(const JawRoom& room, const Arc& seen) {
-    constexpr int looks = 64;  // a millimetre of the longest needle each holds no two crossings
+    constexpr int looks = 64;  // of a millimetre of the longest needle each: none holds two crossings
     for (int k = 0; k < looks; ++k) {
         const double from = seen.length() * k / looks, to = seen.length() * (k + 1) / looks;
         const Vec3 a = seen.at(from), b = seen.at(to);
@@ -55,7 +55,7 @@ bool World::take_needle(int number, const JawRoom& room) {
     return false;
 }
 
-// The next holder has it from where it is now.
+// When a holder lets go, the next has the needle from where it is now.
 void World::let_needle_go(int number) {
     for (Needle& needle : needles_) {
         if (needle.next.tool == number) needle.next = {};
@@ -72,7 +72,8 @@ Arc Needle::led_by(const instruments::Pose& tool) const {
     return holder.tool < 0 ? now : instruments::out_of_tool(holder.seen, tool);
 }
 
-// What walls push and pull at it with is taken to act at its tip: there it bends most about the jaws. Told once.
+// A needle bends where its holder's jaws have it. What walls push and pull with is taken to act at the tip, where it
+// bends most. Told once.
 void World::watch_needle() {
     if (needles_.empty()) return;
     Needle& needle = needles_[in_use_];
@@ -85,8 +86,8 @@ void World::watch_needle() {
     log(EventKind::needle_bent, tools_[static_cast<std::size_t>(needle.holder.tool)].def.name, force.norm());
 }
 
-// The second to hold it has it no longer where it is no longer between its jaws, were they open: it does not follow
-// them, for the first leads it.
+// The second holder loses a needle that is no longer between its jaws, were they open: the needle follows the first,
+// not the second.
 void World::drop_second_grip(Needle& needle) {
     if (needle.next.tool < 0) return;
     const Tool& tool = tools_[static_cast<std::size_t>(needle.next.tool)];
@@ -95,8 +96,8 @@ void World::drop_second_grip(Needle& needle) {
     log(EventKind::needle_release, tool.def.name, 0);
 }
 
-// The thread leaves its tail along the wire: two nodes are fixed to it. The needle goes with its holder or stays where
-// it is.
+// The needle goes with its holder or stays where it is. Thread leaves its tail along the wire: two nodes are fixed to
+// it.
 void World::hold_thread_on(Needle& needle) {
     const int owner = needle.holder.tool;
     const bool is_led = owner >= 0;

@@ -10,12 +10,13 @@ namespace scenarios::world {
 
 using tissue::Side;
 
-// From its cut to its far end; the second of the two ends where neither is held or both are.
+// Direction from a vessel's cut to its far end; its cut is its first end where neither end is held or both are.
 static Vec3 inwards(const VesselDef& def) {
     return def.start_held && !def.end_held ? Vec3(-def.axis) : def.axis;
 }
 
-// Columns: along the vessel, across it level, across both. Two that face each other so have cuts that are parallel.
+// Axes of a vessel as columns: along it, across it level, across both. Two vessels that face each other so have cuts
+// that are parallel.
 static Eigen::Matrix3d frame_of(const Vec3& along) {
     const Vec3 up = std::abs(along.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
     Eigen::Matrix3d frame;
@@ -38,7 +39,7 @@ tissue::Mesh wall_of(const VesselDef& def) {
     return wall;
 }
 
-// A clamp takes as much of an end that is no tube's as its wall is thick.
+// A clamp on a vessel from a mesh holds as much of the end as the wall is thick.
 static std::vector<tissue::Hold> clamps_of_mesh(const VesselDef& def, const tissue::Mesh& wall) {
     const auto [low, high] =
         std::minmax_element(wall.nodes.begin(), wall.nodes.end(),
@@ -71,8 +72,9 @@ static tissue::Material material_of(const VesselDef& def) {
     return material;
 }
 
-// What the needle opens stays open. It goes through aslant, at 25 degrees to a wall and more, and so does the thread
-// after it, whose first node follows the needle exactly: that touches no rim. At the wire's own width it jammed there.
+// A hole is wider than the wire: the needle goes through aslant, at 25 degrees to a wall and more, and so does the
+// thread after it, whose first node follows the needle exactly and touches no rim. With holes as wide as the wire it
+// jammed there.
 static tissue::BiteDef bites_of(const VesselDef& def, double wire) {
     return {.puncture = def.puncture_force, .grip = 2, .hole = 1.5 * wire, .axis = def.axis, .wall = def.wall};
 }
@@ -91,12 +93,12 @@ SoftVessel::SoftVessel(const VesselDef& def, double wire)
         strengths.reserve(64);
 }
 
-// Of a wall with all that presses on it at a hole, at so many places [N/m]: as much as some 5 mm of 6-0 polypropylene
-// along itself, and twice that where thread cannot stretch. Thread and wall are stepped in turn, each reckoning with
-// how the other gives way (`wall_compliance`): where this is too little, as at a fifth, or as where all of a strand
-// that lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a bite pulled
-// to what it bears goes to pieces; where it is more, the wall comes the slower (100 ms for a wall of 100 N/m). So it is
-// shared by all places that are pressed at a hole.
+// Stiffness of a wall under all that presses on it at a hole, at so many places [N/m]: that of some 5 mm of 6-0
+// polypropylene along itself, and twice that where thread cannot stretch. Thread and wall are stepped in turn, each
+// reckoning with the other's compliance (`wall_compliance`). With too small a stiffness, a fifth of this, or where
+// every strand that lies squeezed between two ends takes the wall for stiffer, each throws the other to and fro, and a
+// bite pulled to what it bears goes to pieces; with a larger one the wall comes the slower (100 ms for a wall of 100
+// N/m). So all places that are pressed at a hole share it.
 static double stiffness_with(bool elastic, int places) {
     return elastic ? std::max(5e3, places / wall_compliance) : 1e4;
 }
@@ -108,8 +110,8 @@ void SoftVessel::press(const sim::thread::SurfaceForce& force, const sim::geomet
     const double size = force.force.norm();
     const Vec3 direction = force.force / size;
     const double gone = direction.dot(tissue::point_in(skin[triangle], weights) - force.at);
-    // A wall that comes back meets a thread that comes after it, and presses as hard; one that sleeps holds it where it
-    // was.
+    // A wall that comes back meets a thread that follows it, and presses as hard; a thread that sleeps holds it where
+    // it was.
     presses.push_back({skin.point(triangle, weights), skin.hole_about(triangle, weights), trusted * size, direction,
                        (force.asleep ? gone : std::max(0.0, gone)) - direction.dot(force.deeper)});
 }

@@ -22,25 +22,26 @@ void World::tick(std::span<const ToolInput> inputs) {
     part_thread();
 }
 
-// A tool that had to wait comes after its hand no faster than hands move in surgery (99 of 100 moments, da Vinci logs):
-// set free, it would else leap, and whip the thread.
+// A tool that had to wait follows its hand no faster than hands move in surgery (99 of 100 moments, da Vinci logs). Set
+// free, it would leap otherwise, and whip the thread.
 static ToolInput within_a_tick(const Tool& tool, const ToolInput& wanted, double tick_s) {
     constexpr double catching_up = 0.1;  // [m/s]
     const auto way_from = [&](const instruments::Pose& from) {
-        return instruments::way_between(from, wanted.pose, tool.shape.jaw_length);
+        return instruments::distance_between(from, wanted.pose, tool.shape.jaw_length);
     };
     const double behind = way_from(tool.now.pose), most = way_from(tool.asked.pose) + catching_up * tick_s;
     return behind > most ? ToolInput{instruments::between(tool.now.pose, wanted.pose, most / behind), wanted.jaw}
                          : wanted;
 }
 
-// An approximator's clamps run on screws, and walls come after them.
+// An approximator's clamps run on screws, so it moves no faster than they turn; walls follow them.
 static ToolInput speed_limited(const Tool& tool, const ToolInput& wanted, double tick_s) {
     constexpr double screw = 0.01;  // [m/s]
     const double opens =
         instruments::opening_of(tool.shape, wanted.jaw) - instruments::opening_of(tool.shape, tool.now.jaw);
-    const double way = instruments::way_between(tool.now.pose, wanted.pose, tool.shape.jaw_length) + std::abs(opens),
-                 share = screw * tick_s / way;
+    const double distance =
+                     instruments::distance_between(tool.now.pose, wanted.pose, tool.shape.jaw_length) + std::abs(opens),
+                 share = screw * tick_s / distance;
     if (!(share < 1)) return wanted;
     return {instruments::between(tool.now.pose, wanted.pose, share),
             tool.now.jaw + share * (wanted.jaw - tool.now.jaw)};
@@ -51,7 +52,7 @@ static double lag_report_threshold(const Tool& tool) {
     return 2 * tool.shape.jaw_radius;
 }
 
-// Swept from where each tool is to where it is asked to be: a fast tool stops at what it meets.
+// Each tool is swept from where it is to where it is asked to be: a fast tool stops at what it meets.
 void World::move_instruments(std::span<const ToolInput> inputs) {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         Tool& tool = tools_[i];
@@ -64,7 +65,7 @@ void World::move_instruments(std::span<const ToolInput> inputs) {
         }
         ToolInput next = within_a_tick(tool, *wanted, def_.tick_s);
         if (tool.def.kind == instruments::Kind::scissors)
-            next.jaw = std::max(next.jaw, shut_below);  // or they would crush what they cut
+            next.jaw = std::max(next.jaw, shut_below);  // shut further, they would crush what they cut
         if (tool.def.kind == instruments::Kind::approximator) next = speed_limited(tool, next, def_.tick_s);
         if (std::isfinite(tool.def.pull)) next = force_limited(static_cast<int>(i), next);
         const instruments::Advance advance = tool_world_.advance(static_cast<int>(i), next);
@@ -91,7 +92,7 @@ void World::list_held() {
     for (const Needle& needle : needles_) held_.insert(held_.end(), {needle.node, needle.node + 1});
 }
 
-// Links where they are needed; what is held is found again by its new numbers.
+// Puts links where they are needed; whoever holds nodes finds them again by their new numbers.
 void World::fit_links() {
     list_held();
     if (!thread_.fit_links(held_)) return;
@@ -104,8 +105,8 @@ void World::fit_links() {
     for (Needle& needle : needles_) needle.node = held_[next], next += 2;
 }
 
-// Grasped nodes go where their tool goes; what they lack of where it is commanded to be, with nothing but thread in its
-// way, is tension.
+// Grasped nodes go where their tool goes. What they lack of where it is commanded to be, with nothing but thread
+// holding it back, is tension.
 sim::thread::TickReport World::move_thread() {
     holds_.clear();
     hold_owners_.clear();
@@ -144,7 +145,8 @@ sim::thread::TickReport World::move_thread() {
                          .soft_give = wall_compliance});
 }
 
-// When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic one lets all wait for one.
+// When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic thread lets all tools wait
+// for one.
 void World::let_tools_wait() {
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         Tool& tool = tools_[i];
@@ -163,7 +165,8 @@ void World::let_tools_wait() {
     }
 }
 
-// By `ftl` a tension is an estimate from lag: what thread and jaws would not bear of it is not there.
+// How much of the thread's pressure on walls counts. By `ftl` a tension is an estimate from lag: the part that thread
+// and jaws would not bear does not exist.
 double World::trusted_share() const {
     if (is_elastic()) return 1;
     const double tension = *std::max_element(thread_.tension().begin(), thread_.tension().end()),
@@ -171,7 +174,7 @@ double World::trusted_share() const {
     return tension <= most ? 1 : most / tension;
 }
 
-// Walls feel one needle at a time: another that was taken is felt once they hold the one before no longer.
+// Walls feel one needle at a time: they turn to the one that was taken last once they hold the one before no longer.
 void World::move_walls() {
     if (in_use_ != taken_ && !walls_.hold_needle()) in_use_ = taken_;
     if (vessels().empty()) return;

@@ -43,7 +43,7 @@ struct Tool {
     bool held_up = false;           ///< That it is farther behind its hand than a jaw is thick has been told.
 
     /// How far it is behind its hand, a turn taken at its jaws' length [m].
-    double lag() const { return instruments::way_between(now.pose, asked.pose, shape.jaw_length); }
+    double lag() const { return instruments::distance_between(now.pose, asked.pose, shape.jaw_length); }
 };
 
 }  // namespace scenarios::world

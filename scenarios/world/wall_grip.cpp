@@ -5,7 +5,7 @@ namespace scenarios::world {
 
 namespace {
 
-// Barycentric of the tetrahedron's corners: none below 0 within it.
+// Barycentric weights of a point in a tetrahedron: none is below 0 within it.
 std::array<double, 4> weights_in(const tissue::Tetrahedron& tet, std::span<const Vec3> nodes, const Vec3& p) {
     const double whole = tissue::volume(tet, nodes);
     std::array<double, 4> weights;
@@ -63,7 +63,7 @@ void look_for_walls(Tool& tool, const JawRoom& room, const SoftVessel& vessel, i
         grip.at.tetrahedron =
             tetrahedron_at(wall, near, tool.before.pose.position + tool.before.pose.rotation * p, grip.at.weights);
         if (grip.at.tetrahedron < 0) continue;
-        constexpr double other_wall = 4;  // looks: no wall that is held is pressed to a quarter
+        constexpr double other_wall = 4;  // in looks: no wall that is held is pressed to a quarter
         const bool same_wall = (at_rest(grip.at) - last).norm() < other_wall * look;
         last = at_rest(grip.at);
         if (!same_wall && tool.walls.size() == WallGrip::most) break;
@@ -80,8 +80,8 @@ void look_for_walls(Tool& tool, const JawRoom& room, const SoftVessel& vessel, i
 
 }  // namespace
 
-// Closing jaws hold what of a wall is between them in their middle plane. It comes to lie flat between them, as a
-// strand does.
+// Closing jaws hold the part of a wall that is between them in their middle plane. It comes to lie flat between them,
+// as a strand does.
 void World::take_wall(Tool& tool, const JawRoom& room) {
     const auto vessels = walls_.vessels();
     for (std::size_t v = 0; v < vessels.size(); ++v) {
@@ -95,11 +95,11 @@ void World::take_wall(Tool& tool, const JawRoom& room) {
     }
 }
 
-// Jaws draw what they hold to where they are, each look as hard as its share of the grip at the most.
+// Jaws draw what they hold to where they are; each held point pulls at most with its share of the grip.
 void SoftVessel::pull_by(const Tool& tool, int number) {
     // Twenty times as stiff as a wall is under a millimetre's pull, so that what is held lags by a twentieth of how far
     // the wall is drawn.
-    constexpr double stiffness = 1000;  // [N/m] of all looks of a tool together
+    constexpr double stiffness = 1000;  // of all points that a tool holds together [N/m]
     for (const WallGrip& grip : tool.walls) {
         if (grip.vessel != number) continue;
         const double share = 1.0 / static_cast<double>(tool.walls.size()), most = share * tool.shape.grip_force;

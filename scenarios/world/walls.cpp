@@ -5,7 +5,7 @@
 
 namespace scenarios::world {
 
-// Each step is as long as it takes until the same vessel's turn comes again, 2 ms at least: one vessel a tick.
+// How many ticks a vessel's step takes: until its turn comes again, at least 2, for one vessel is stepped a tick.
 static std::uint64_t period(std::size_t vessels) {
     return std::max<std::uint64_t>(2, vessels);
 }
@@ -65,7 +65,7 @@ void Walls::take_pressure(const WallLoads& loads) {
     for (SoftVessel& vessel : vessels_) vessel.load(share, is_elastic(loads.thread));
 }
 
-// Once in all vessels' turns: each feels it in its own.
+// Walls press on each other once in all vessels' turns, and each feels it in its own turn.
 void Walls::press_together() {
     for (std::size_t a = 0; a < vessels_.size(); ++a) {
         wall_contact_.press(vessels_[a].tissue.rest(), vessels_[a].skin, vessels_[a].forces, vessels_[a].carried);
@@ -112,7 +112,7 @@ void Walls::follow_needle(SoftVessel& vessel, const WallLoads& loads) {
     vessel.forces.insert(vessel.forces.end(), vessel.bites.forces().begin(), vessel.bites.forces().end());
 }
 
-// A hole or a slit is new: triangles have other numbers, and the thread looks for all of them anew.
+// After a new hole or slit triangles have other numbers, and the thread looks for all of them anew.
 void Walls::renew() {
     const std::size_t rigid = static_cast<std::size_t>(soft_from());
     std::vector<tissue::Part> parts;

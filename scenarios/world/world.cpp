@@ -21,14 +21,14 @@ static sim::thread::RodDef elastic(const ThreadDef& def) {
                             .quasi_static = !def.swings,
                             .yield_strain = def.yield_strain};
     if (def.stretches) rod.axial_over_bending = 0;
-    constexpr double beyond = 1.05;  // tools wait a hundredth below the most
+    constexpr double beyond = 1.05;  // tools wait a hundredth below the largest strain
     rod.most_strain = std::max(rod.most_strain, beyond * def.break_force / (def.young_modulus * section(def)));
     if (def.is_in_air) rod.halting_time = halting_time(def);
     if (def.weighs) rod.gravity = {0, 0, -g};
     return rod;
 }
 
-// The path may be longer or shorter than the thread: cut it, or go on straight.
+// Nodes along the path; a path that is longer than the thread is cut short, a shorter one goes on straight.
 static std::vector<Vec3> nodes_on(const std::vector<Vec3>& start, const WorldDef& world) {
     std::vector<Vec3> path{start.front()};
     double left = world.thread.length;

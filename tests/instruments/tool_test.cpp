@@ -35,9 +35,10 @@ TEST(Tool, ClosedJawsTouchAndNoOpeningMakesThemOverlap) {
 TEST(Tool, TurnsCountAtTheArmByTheirChord) {
     const Pose turned{somewhere.position, somewhere.rotation * Quat(Eigen::AngleAxisd(1.2, Vec3::UnitY()))};
     const Vec3 hinge(0, 0, -12e-3);
-    EXPECT_NEAR(way_between(somewhere, turned, 12e-3), (somewhere.rotation * hinge - turned.rotation * hinge).norm(),
+    EXPECT_NEAR(distance_between(somewhere, turned, 12e-3),
+                (somewhere.rotation * hinge - turned.rotation * hinge).norm(), rounding);
+    EXPECT_NEAR(distance_between(somewhere, {somewhere.position + Vec3(3e-3, 0, 4e-3), turned.rotation}, 0), 5e-3,
                 rounding);
-    EXPECT_NEAR(way_between(somewhere, {somewhere.position + Vec3(3e-3, 0, 4e-3), turned.rotation}, 0), 5e-3, rounding);
 }
 
 // Motion files place the tip: were the frame elsewhere, every drill's tools would be off by that much.
