@@ -1,3 +1,9 @@
+// A needle in a wall.
+//
+// Method: before the tip is through a skin, a spring with a friction cone stands for the dimple that the mesh does not
+// resolve; at the puncture force a hole is opened. From then on each hole is held on the needle's arc by a spring
+// across the wire, and along it by one that is capped by friction. All of these are PointForces of the wall's next
+// implicit step, so that stiff springs stay stable. Cost: some 50 us a step where the needle is near.
 #include "tissue/bite.hpp"
 
 #include <algorithm>
@@ -12,7 +18,7 @@ double angle(double across, double along) {
     return across == 0 && along == 0 ? 0 : sim::geometry::portable_atan2(std::abs(across), std::abs(along));
 }
 
-// How far along the wire the point of it is that is nearest to `point`: of all turns the one next to `about` [m].
+// Place along the wire of its point nearest to `point`: of all turns the one next to `about` [m].
 double place_on(const Arc& arc, const Vec3& point, double about) {
     const Vec3 out = point - arc.centre;
     const double x = out.dot(arc.to_tail), y = out.dot(arc.onwards), turn = 2 * EIGEN_PI * arc.radius;
@@ -21,7 +27,7 @@ double place_on(const Arc& arc, const Vec3& point, double about) {
     return place + turn * std::round((about - place) / turn);
 }
 
-// The tip is in the wall still when the skin gives way.
+// A dimple is so stiff that the tip is still in the wall when the skin gives way.
 BiteDef with_shallow_dimple(BiteDef def) {
     constexpr double deepest = 0.6;  // of the wall
     def.tip_stiffness = std::max(def.tip_stiffness, def.puncture / (deepest * def.wall));
@@ -86,7 +92,8 @@ void Bites::settle(Skin& skin) {
     give_rims_to_wire(skin);
 }
 
-// For what is swaged to its tail; while the tip is near, the skin is as that pierced it.
+// Rims in the needle's rear half are drawn onto the wire, for the thread that is swaged to it. While the tip is near, a
+// rim is as the tip pierced it.
 void Bites::give_rims_to_wire(Skin& skin) {
     wires_.clear();
     for (const Crossing& crossing : crossings_)
@@ -95,7 +102,7 @@ void Bites::give_rims_to_wire(Skin& skin) {
     skin.set_wires(wires_);
 }
 
-// Taken away: what was open stays so, what was only pricked is empty.
+// The needle is taken away: bites that were open stay so, one that was only pricked is empty.
 void Bites::let_go() {
     for (const Crossing& crossing : crossings_) {
         Bite& bite = of(crossing);
@@ -106,13 +113,13 @@ void Bites::let_go() {
     touch_.active = has_needle_ = false;
 }
 
-// Where the holes are along the wire now.
+// Finds where the holes are along the wire now.
 void Bites::follow(const Skin& skin) {
     for (Crossing& crossing : crossings_)
         crossing.along = place_on(needle_, skin.centre(crossing.hole), crossing.along);
 }
 
-// Of the wire in the wall, half at each skin; of a bite that is only pricked all at the one.
+// Friction of the wire in the wall, half at each skin; in a bite that is only pricked all at the one [N].
 double Bites::friction_of(std::size_t i) const {
     const std::size_t entry = i - i % 2;
     const bool open = entry + 1 < crossings_.size();
@@ -123,15 +130,15 @@ double Bites::friction_of(std::size_t i) const {
 
 Vec3 Bites::aside(const Crossing& crossing, const Skin& skin) const {
     const double place = std::clamp(crossing.along, 0.0, needle_.length());
-    const Vec3 off = needle_.at(place) - skin.centre(crossing.hole), way = needle_.tangent(place);
-    return off - off.dot(way) * way;
+    const Vec3 off = needle_.at(place) - skin.centre(crossing.hole), direction = needle_.tangent(place);
+    return off - off.dot(direction) * direction;
 }
 
-// Draws a hole onto the wire, and along with it as far as friction does. Its stiffness counts even where it slides:
-// what is drawn along gives way before it is drawn too far.
+// Draws a hole onto the wire, and along with it as far as friction does. The stiffness counts even where the wire
+// slides: a wall that is drawn along gives way before it is drawn too far.
 void Bites::hold(std::size_t i, const Skin& skin) {
     Crossing& crossing = crossings_[i];
-    if (crossing.along < 0) return;  // the thread's
+    if (crossing.along < 0) return;  // the hole is the thread's
     const double reach = friction_of(i) / def_.stiffness;
     crossing.held = crossing.along + std::clamp(crossing.held - crossing.along, -reach, reach);
     const Vec3 pull = (crossing.held - crossing.along) * needle_.tangent(std::min(crossing.along, needle_.length()));
@@ -139,7 +146,7 @@ void Bites::hold(std::size_t i, const Skin& skin) {
         {skin.point_of_hole(crossing.hole), def_.stiffness * (aside(crossing, skin) + pull), def_.stiffness});
 }
 
-void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, const Vec3& way, double force) {
+void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, const Vec3& direction, double force) {
     touch_.active = false;
     const double along = place_on(needle_, skin.centre(hole), needle_.length());
     if (inwards) {
@@ -147,7 +154,7 @@ void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, 
         if (crossings_.empty()) ++passes_;
         bite.pass = passes_;
         const Vec3 cut = normal.cross(needle_.to_tail.cross(needle_.onwards));
-        bite.angle_to_wall = angle(way.dot(normal), way.cross(normal).norm());
+        bite.angle_to_wall = angle(direction.dot(normal), direction.cross(normal).norm());
         bite.angle_to_axis = angle(cut.cross(def_.axis).norm(), cut.dot(def_.axis));
         bites_.push_back(bite);
     }
@@ -165,7 +172,8 @@ void Bites::cross(const Skin& skin, int hole, bool inwards, const Vec3& normal, 
     events_.push_back({inwards ? BiteEvent::pierced : BiteEvent::through, number, force});
 }
 
-// Once the tip is a hole's radius outside of the hole, so that what trembles at the rim counts once.
+// The needle leaves a hole once its tip is a hole's radius outside of it, so that a tip that trembles at the rim counts
+// once.
 void Bites::leave_by_tip() {
     while (!crossings_.empty() && crossings_.back().along > needle_.length() + def_.hole) {
         const bool entry = is_entry(crossings_.size() - 1);

@@ -1,4 +1,4 @@
-// What of a needle is in no wall, or should be and is not: it pushes, and never passes.
+// The parts of a needle that are in no wall, or should be and are not: they push the wall aside, and never pass.
 #include <algorithm>
 
 #include "tissue/bite.hpp"
@@ -7,7 +7,7 @@ namespace tissue {
 
 namespace {
 
-constexpr int pieces = 12;  // straight ones: a 3/8 circle of 9 mm is off by a fifth of its wire's radius
+constexpr int pieces = 12;  // of a 3/8 circle of 9 mm: straight, they are off by a fifth of its wire's radius
 constexpr double clear =
     5;  // wire radii along the wire from a hole: where it goes in aslant its side is that near the skin
 
@@ -29,9 +29,8 @@ bool Bites::is_outside(int k) const {
     return true;
 }
 
-// The wire of a bite that came out where it went in bulges the skin across the wall, should it be that deep: it made no
-// hole there, and thread that came after it through no hole would be on the wrong side of that skin once the wall
-// closes.
+// A bite whose needle came out where it went in bulges the skin across the wall where the wire is that deep. The wire
+// made no hole there, and thread that came after it would be on the wrong side of that skin once the wall closes.
 template <class Push>
 void Bites::bulge(const Skin& skin, const Push& push) const {
     constexpr int samples = 8;

@@ -36,10 +36,11 @@ bool Bites::pull(int number, double force, Skin& skin) {
     return true;
 }
 
-// No rim keeps a slit open, and the wall, which is whole below, draws together: twice as wide as the hole.
+// A slit is twice as wide as the hole: no rim keeps it open, and the wall, which is whole below, draws together.
 constexpr double gapes = 2;
 
-// Straight to the rim of its side. Returns where that is; of a hole that is in no such side, where it is.
+// Slits the skin straight from a hole to the rim of its side. Returns where the slit ends; for a hole in neither side,
+// where the hole is.
 Vec3 Bites::slit(const BiteEnd& end, Skin& skin) const {
     const Vec3 from = position(end.at, rest_, rest_.nodes);
     if (end.side != Side::outer && end.side != Side::inner) return from;
@@ -53,7 +54,7 @@ Vec3 Bites::slit(const BiteEnd& end, Skin& skin) const {
     return to;
 }
 
-// Through both skins and, from the end of the one slit to that of the other, through the cut.
+// Slits both skins and, from the end of the one slit to that of the other, the cut.
 void Bites::slit(const Bite& bite, Skin& skin) const {
     const Vec3 from = slit(bite.entry, skin), to = slit(bite.exit, skin), middle = 0.5 * (from + to);
     int nearest_face = -1;

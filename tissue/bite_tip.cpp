@@ -7,19 +7,19 @@
 
 namespace tissue {
 
-// The way that the wall is pushed.
-Vec3 Bites::way_of_touch(const Skin& skin) const {
+// The direction in which the tip pushes the wall, unit.
+Vec3 Bites::direction_of_touch(const Skin& skin) const {
     const Vec3 up = skin.normal_of_face(touch_.face);
     return touch_.inwards ? Vec3(-up) : up;
 }
 
-// Pressure as deep as the tip has gone past the skin's point, friction up to its share of that.
+// Pressure grows with how far the tip has gone past the skin's point; friction is limited to its share of that.
 Vec3 Bites::touch_force(const Skin& skin) const {
-    const Vec3 way = way_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
-    const double deep = std::max(0.0, off.dot(way)), most = def_.grip * deep;
-    const Vec3 across = off - off.dot(way) * way;
+    const Vec3 direction = direction_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
+    const double deep = std::max(0.0, off.dot(direction)), most = def_.grip * deep;
+    const Vec3 across = off - off.dot(direction) * direction;
     const double far = across.norm();
-    return def_.tip_stiffness * (deep * way + (far > most ? most / far : 1) * across);
+    return def_.tip_stiffness * (deep * direction + (far > most ? most / far : 1) * across);
 }
 
 void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
@@ -30,18 +30,18 @@ void Bites::touch_at(const Skin& skin, const Skin::Spot& spot) {
               .weights = skin.weights_in_face(face, spot.at),
               .first_side = skin.side_of_face(face),
               .first_normal = skin.normal_of_face(face),
-              .first_way = needle_.tangent(needle_.length()),
+              .first_direction = needle_.tangent(needle_.length()),
               .tip = needle_.tip()};
 }
 
-// As far as the needle's tip, or where the last step foretells that the skin gives way: a quick needle's step would go
-// far beyond.
+// Advances the touch to the needle's tip, or to where the last step foretells that the skin gives way: a quick needle's
+// step would go far beyond.
 void Bites::advance_touch() {
-    const Vec3 way = needle_.tip() - touch_.tip;
-    const double far = way.norm(), more = touch_.gain * far, lacks = def_.puncture - touch_.force;
+    const Vec3 gone = needle_.tip() - touch_.tip;
+    const double far = gone.norm(), more = touch_.gain * far, lacks = def_.puncture - touch_.force;
     touch_.gives_way = more > lacks;
     const double share = touch_.gives_way ? lacks / more : 1;
-    touch_.tip += share * way;
+    touch_.tip += share * gone;
     touch_.gone = share * far;
 }
 
@@ -49,7 +49,7 @@ void Bites::settle_touch(Skin& skin) {
     const Vec3 on_wall = touch_force(skin);
     const double force = touch_.is_through ? touch_.force : on_wall.norm();
     force_ -= on_wall;
-    constexpr double nearly = 0.9;  // more is lacking where the wall gives way instead
+    constexpr double nearly = 0.9;  // where more is lacking, the wall gives way instead
     if (!touch_.is_through && force < def_.puncture && !(touch_.gives_way && force > nearly * def_.puncture)) {
         if (touch_.gone > 0 && !touch_.gives_way) touch_.gain = std::max(0.0, force - touch_.force) / touch_.gone;
         touch_.force = force;
@@ -57,27 +57,28 @@ void Bites::settle_touch(Skin& skin) {
     }
     const int hole = skin.pierce(touch_.face, skin.at_face(touch_.face, touch_.weights),
                                  needle_.tangent(needle_.length()), def_.hole);
-    cross(skin, hole, touch_.inwards, touch_.first_normal, touch_.first_way, force);
+    cross(skin, hole, touch_.inwards, touch_.first_normal, touch_.first_direction, force);
 }
 
-// Drawn after the tip as far as friction does not hold it; over where it has left the wall, or an edge of it.
+// The touched point follows the tip as far as friction does not hold it. False where the tip has left the wall, or an
+// edge of it.
 bool Bites::stays(const Skin& skin) {
-    const Vec3 way = way_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
-    const double deep = off.dot(way), most = def_.grip * deep;
-    const Vec3 across = off - deep * way;
+    const Vec3 direction = direction_of_touch(skin), off = touch_.tip - skin.at_face(touch_.face, touch_.weights);
+    const double deep = off.dot(direction), most = def_.grip * deep;
+    const Vec3 across = off - deep * direction;
     const double far = across.norm();
     if (deep <= 0 || far <= most) return deep > 0;
-    const Vec3 goal = touch_.tip - deep * way - most / far * across;
-    const Skin::Spot spot = skin.closest(goal, goal, far + deep, touch_.inwards ? Vec3(-way) : way);
+    const Vec3 goal = touch_.tip - deep * direction - most / far * across;
+    const Skin::Spot spot = skin.closest(goal, goal, far + deep, touch_.inwards ? Vec3(-direction) : direction);
     const bool found = spot.triangle >= 0 && spot.distance < deep + def_.hole;
     touch_.face = found ? skin.face(spot.triangle) : -1;
     if (!found) return false;
     touch_.weights = skin.weights_in_face(touch_.face, spot.at);
-    return (touch_.tip - spot.at).dot(way_of_touch(skin)) > 0;
+    return (touch_.tip - spot.at).dot(direction_of_touch(skin)) > 0;
 }
 
-// However little it pressed: a wall that gives way, or that is met flat, is through where the tip is out again on the
-// other side, or its thickness beyond a skin.
+// A wall that gives way, or that is met flat, is pierced by however little force once the tip is out again on the other
+// side, or a wall's thickness beyond a skin.
 bool Bites::goes_through(const Skin& skin) {
     const Vec3 tip = needle_.tip();
     const bool is_out = !touch_.active && touch_.inwards && !is_in_wall(rest_.tetrahedra, skin.nodes(), tip);
@@ -86,14 +87,14 @@ bool Bites::goes_through(const Skin& skin) {
     if (spot.triangle < 0 || (!is_out && (tip - spot.at).norm() <= def_.wall)) return false;
     const int face = skin.face(spot.triangle);
     if (is_out && from_cut(skin.point_of_face(face, skin.weights_in_face(face, spot.at))) < def_.wall)
-        return false;  // it is pressed off over the cut
+        return false;  // the wall is pressed off over the cut
     const double force = touch_.force;
     touch_at(skin, spot);
     touch_.tip = spot.at, touch_.force = force, touch_.is_through = true;
     return true;
 }
 
-// The same edge may slip off a tip several times: told once within a wall's thickness.
+// The same edge may slip off a tip several times: it is told once within a wall's thickness.
 void Bites::slide_touch(const Skin& skin) {
     touch_.active = stays(skin);
     if (goes_through(skin)) return;
@@ -103,8 +104,8 @@ void Bites::slide_touch(const Skin& skin) {
     events_.push_back({BiteEvent::slipped, -1, touch_.force});
 }
 
-// Back from the tip along the wire to where it comes through a skin, at most to the last hole: for walls that moved
-// onto it.
+// Where the wire comes through a skin, looking back from the tip along it, at most to the last hole: walls may have
+// moved onto it.
 Skin::Spot Bites::behind_tip(const Skin& skin) const {
     constexpr double length = 2e-3;  // [m], beyond what a needle and a wall move in a step
     constexpr int pieces = 16;
@@ -118,7 +119,7 @@ Skin::Spot Bites::behind_tip(const Skin& skin) const {
     return found;
 }
 
-// A hole that the wire goes through next to its tip, as if it were pierced anew.
+// A hole that the wire goes through next to its tip counts as if it were pierced anew; none: -1.
 int Bites::hole_behind_tip(const Skin& skin) const {
     const double tip = needle_.length();
     int best = -1;

@@ -1,3 +1,7 @@
+// Sparse Cholesky factorisation L L^T of 3 x 3 blocks, left-looking, column by column, so that it can stop after any
+// column. Order of elimination: approximate minimum degree. Source: Davis 2006, Direct Methods for Sparse Linear
+// Systems, chapter
+// 4. Cost: work() block products for a factorisation; a solve waits for memory (block_matrix.hpp).
 #include "tissue/block_matrix.hpp"
 
 #include <Eigen/OrderingMethods>
@@ -11,8 +15,8 @@ namespace tissue {
 
 namespace {
 
-// Approximate minimum degree (Amestoy, Davis and Duff 1996): a quarter less to multiply than dissection of a tube by
-// slices.
+// Order of elimination by approximate minimum degree (Amestoy, Davis and Duff 1996): a quarter less to multiply than
+// dissection of a tube by slices.
 std::vector<int> elimination_order(int nodes, std::span<const std::array<int, 2>> couplings) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < nodes; ++i) entries.emplace_back(i, i, 1);
@@ -37,7 +41,8 @@ BlockMatrix::BlockMatrix(int nodes, std::span<const std::array<int, 2>> coupling
     clear();
 }
 
-// Eliminating a node couples all that it is coupled with, which the first of them hands on.
+// Symbolic factorisation. Eliminating a node couples all nodes that it is coupled with, which the first of them hands
+// on.
 void BlockMatrix::analyse(std::span<const std::array<int, 2>> couplings) {
     const std::size_t n = rank_.size();
     std::vector<std::vector<int>> rows(n), left(n);
@@ -110,7 +115,7 @@ void BlockMatrix::add_diagonal(Place place, const Vec3& x) {
     to[0] += Lane(x.x(), 0, 0, 0), to[1] += Lane(0, x.y(), 0, 0), to[2] += Lane(0, 0, x.z(), 0);
 }
 
-// Takes off what the columns before, as far as they reach into this one's row, make of it.
+// Subtracts from a column what the columns before, as far as they reach into its row, contribute.
 void BlockMatrix::update(std::size_t j) {
     for (int b = first_[j]; b < first_[j + 1]; ++b)
         where_[static_cast<std::size_t>(row_[static_cast<std::size_t>(b)])] = b;
@@ -132,7 +137,7 @@ void BlockMatrix::update(std::size_t j) {
     }
 }
 
-// The inverse of the root of its diagonal block takes that one's place; the others are multiplied by it.
+// The inverse of the Cholesky root of the diagonal block takes the block's place; the others are multiplied by it.
 bool BlockMatrix::finish(std::size_t j) {
     Padded& own = next_[static_cast<std::size_t>(first_[j])];
     // What is left of a number after taking off nearly all of it is rounding below this share.
@@ -181,6 +186,7 @@ void BlockMatrix::use() {
 }
 
 void BlockMatrix::solve(std::vector<Vec3>& x) {
+    assert(x.size() == rank_.size() && "one entry for each node");
     const std::size_t n = rank_.size();
     for (std::size_t r = 0; r < n; ++r) {
         const Vec3& from = x[static_cast<std::size_t>(node_[r])];

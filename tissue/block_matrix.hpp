@@ -19,33 +19,36 @@ class BlockMatrix {
   public:
     using Block = Eigen::Matrix3d;
 
-    BlockMatrix() = default;
-    /// `couplings`: pairs of nodes with a block, in any order.
+    BlockMatrix() = default;  ///< Of no nodes.
+    /// `nodes`: how many. `couplings`: pairs of nodes with a block, from 0, in any order, also more than once.
     BlockMatrix(int nodes, std::span<const std::array<int, 2>> couplings);
 
-    /// Number of the block in row i and column j; which of both comes first in the elimination decides whether it is
-    /// kept transposed.
+    /// Where a block is kept.
     struct Place {
-        int block;
-        bool transposed;
+        int block;        ///< Its number.
+        bool transposed;  ///< Of its two nodes the second is eliminated first.
     };
+    /// The place of the block in row i and column j, of two nodes that are coupled or one and the same.
     Place place(int i, int j) const;
 
-    void clear();  ///< All zero, and none of it factored.
+    /// Makes all blocks zero; none of them is factored then.
+    void clear();
+    /// Adds a block.
     void add(Place place, const Block& block);
-    void add(Place place, const Vec3& a, const Vec3& b,
-             const Vec3& w);                        ///< a b^T and the matrix of the cross product w x.
-    void add_diagonal(Place place, const Vec3& x);  ///< To the diagonal of that block.
+    /// Adds a b^T and the matrix of the cross product w x.
+    void add(Place place, const Vec3& a, const Vec3& b, const Vec3& w);
+    /// Adds to the diagonal of a block.
+    void add_diagonal(Place place, const Vec3& x);
 
     /// Goes on factoring with `work` block products, or a little more; true when it is done. A matrix that is not
     /// positive definite is done too, and not taken for solves.
     bool factor(long work);
-    bool is_positive() const { return positive_; }  ///< The one factored last.
-    void use();                                     ///< Solves are with these factors from now on.
+    bool is_positive() const { return positive_; }  ///< The matrix that was factored last is positive definite.
+    void use();                                     ///< Solves use the factors of that one from now on.
 
     long work() const { return work_; }  ///< Block products of a whole factorisation.
-    /// x = A^-1 x, off by at most 1e-7 times the condition of A. 90 us for 624 nodes of a tube, 150 us were factors
-    /// kept whole.
+    /// x = A^-1 x, one entry for each node, off by at most 1e-7 times the condition of A. 90 us for 624 nodes of a
+    /// tube, 150 us were factors kept whole.
     void solve(std::vector<Vec3>& x);
 
   private:
@@ -63,17 +66,24 @@ class BlockMatrix {
     void update(std::size_t column);
     bool finish(std::size_t column);
 
-    std::vector<int> rank_, node_;  // of a node in the elimination, and back
-    std::vector<int> first_, row_,
-        column_;  // of column j blocks first_[j] to first_[j + 1] - 1, its diagonal first; of a block
-    std::vector<int> first_update_, update_;  // of row j, the blocks left of its diagonal
-    std::vector<Padded> next_;
-    Short finished_, factors_;  // of the matrix at work as far as it has come, of the one before
-    std::vector<int> where_;    // of a row, its block in the column at work
-    std::vector<Lane> x_;
-    std::size_t at_ = 0;  // columns before are factored
-    long work_ = 0;
-    bool positive_ = false;
+    std::vector<int> rank_;          // of each node, when it is eliminated
+    std::vector<int> node_;          // of each rank, the node
+    std::vector<int> first_;         // column j has blocks first_[j] to first_[j + 1] - 1, its diagonal first
+    std::vector<int> row_;           // of each block
+    std::vector<int> column_;        // of each block
+    std::vector<int> first_update_;  // row j has first_update_[j] to first_update_[j + 1] - 1 of update_
+    std::vector<int> update_;        // blocks left of each row's diagonal
+    long work_ = 0;                  // block products of a whole factorisation
+
+    std::vector<Padded> next_;  // the matrix at work
+    std::size_t at_ = 0;        // columns of it before this one are factored
+    bool positive_ = false;     // so far
+    Short finished_;            // factors of the matrix at work, as far as it has come
+    Short factors_;             // factors that solves use
+
+    // Scratch.
+    std::vector<int> where_;  // of each row, its block in the column at work
+    std::vector<Lane> x_;     // of each rank, the solution so far
 };
 
 }  // namespace tissue

@@ -15,7 +15,7 @@ Corners corners_of(const Cells& cells, std::span<const Vec3> nodes) {
     return at;
 }
 
-// One cell, four times.
+// One cell, in all four lanes.
 Cells cell_of(const Mesh& mesh, std::size_t c) {
     Cells cell;
     cell.used = 1;
@@ -78,8 +78,8 @@ Volumes volumes(const Cells& cells, std::span<const Vec3> nodes) {
     return six;
 }
 
-Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec3> way) {
-    const Corners at = corners_of(cells, nodes), by = corners_of(cells, way);
+Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec3> direction) {
+    const Corners at = corners_of(cells, nodes), by = corners_of(cells, direction);
     Bulge six{};
     for (std::size_t t = 0; t < cells.tetrahedra; ++t) {
         const auto [o, a, b, c] = cells.corners[t];
@@ -90,8 +90,8 @@ Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec
     return {six.second / Lane(6), six.third / Lane(6)};
 }
 
-// Of a tetrahedron o a b c: what its volume feels at one corner when another moves is across the edge between the two
-// others.
+// In a tetrahedron o a b c, the derivative of the volume by one corner changes with another corner across the edge
+// between the two others.
 std::array<Lanes, Cells::most_pairs> second_derivatives(const Cells& cells, std::span<const Vec3> nodes) {
     const Corners at = corners_of(cells, nodes);
     std::array<Lanes, Cells::most_pairs> six{};

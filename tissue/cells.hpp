@@ -7,41 +7,48 @@ namespace tissue {
 /// Up to four hexahedra or prisms that are split into tetrahedra in the same way, so that they can be looked at
 /// together.
 struct Cells {
-    static constexpr std::size_t lanes = 4, most_nodes = 8, most_tetrahedra = 6,
-                                 most_pairs = most_nodes * (most_nodes - 1) / 2;
-    std::array<std::array<int, lanes>, most_nodes> nodes{};  ///< Where there are fewer cells, the last one again.
-    std::size_t count = 0;                                   ///< Of nodes of each.
-    std::array<std::array<unsigned char, 4>, most_tetrahedra>
-        corners{};  ///< Of their tetrahedra, as places in `nodes`.
-    std::size_t tetrahedra = 0;
-    std::size_t used = 0;  ///< How many cells.
-    Lane rest_volume;      ///< [m^3]
+    static constexpr std::size_t lanes = 4;            ///< Cells that are looked at together.
+    static constexpr std::size_t most_nodes = 8;       ///< Of one cell.
+    static constexpr std::size_t most_tetrahedra = 6;  ///< Of one cell.
+    static constexpr std::size_t most_pairs = most_nodes * (most_nodes - 1) / 2;  ///< Of nodes of one cell.
+
+    std::array<std::array<int, lanes>, most_nodes> nodes{};  ///< Of each cell; of fewer cells the last one again.
+    std::size_t count = 0;                                   ///< Nodes of each cell.
+    /// Corners of their tetrahedra, as places in `nodes`.
+    std::array<std::array<unsigned char, 4>, most_tetrahedra> corners{};
+    std::size_t tetrahedra = 0;  ///< Of each cell.
+    std::size_t used = 0;        ///< How many cells, 1 to `lanes`.
+    Lane rest_volume;            ///< Of each cell [m^3].
 };
 
-/// All cells of a mesh, but maybe in another order.
+/// All cells of a mesh, maybe in another order. Each has at most eight nodes and six tetrahedra.
 std::vector<Cells> cells_of(const Mesh& mesh);
 
-/// What the volumes of cells come to, and how they change with their nodes.
+/// Volumes of cells, and how they change with their nodes.
 struct Volumes {
-    Lane value;                                     ///< [m^3], negative where a cell is inside out.
-    std::array<Lanes, Cells::most_nodes> gradient;  ///< [m^2]
+    Lane value;                                     ///< Of each cell [m^3], negative where it is inside out.
+    std::array<Lanes, Cells::most_nodes> gradient;  ///< By each node [m^2].
 };
+/// The volumes of cells whose mesh has its nodes here [m].
 Volumes volumes(const Cells& cells, std::span<const Vec3> nodes);
 
-/// Second and third coefficient of volumes as polynomials of how far their nodes went along `way`.
+/// Volumes as polynomials of how far nodes have gone along a direction.
 struct Bulge {
-    Lane second, third;
+    Lane second;  ///< Coefficient of the second power [m^3].
+    Lane third;   ///< Coefficient of the third power [m^3].
 };
-Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec3> way);
+/// These polynomials for nodes here, each going along its entry of `direction` [m].
+Bulge bulge(const Cells& cells, std::span<const Vec3> nodes, std::span<const Vec3> direction);
 
-/// Second derivatives of volumes: between nodes a < b the matrix of the cross product with number pair(a, b) of these;
-/// none of a node by itself.
+/// Number of the pair of nodes a < b.
 constexpr std::size_t pair(std::size_t a, std::size_t b) {
     return b * (b - 1) / 2 + a;
 }
+/// Second derivatives of volumes for nodes here [m]: between nodes a < b the matrix of the cross product with entry
+/// pair(a, b) of these; a node by itself has none.
 std::array<Lanes, Cells::most_pairs> second_derivatives(const Cells& cells, std::span<const Vec3> nodes);
 
-/// What nodes of these cells carry.
+/// What node number `node` of each of these cells carries, of what all nodes carry.
 inline Lanes gathered(const Cells& cells, std::size_t node, std::span<const Vec3> all) {
     const auto of = [&](std::size_t k) -> const Vec3& { return all[static_cast<std::size_t>(cells.nodes[node][k])]; };
     const Vec3 &a = of(0), &b = of(1), &c = of(2), &d = of(3);

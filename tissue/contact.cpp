@@ -1,3 +1,9 @@
+// Tools and needles against a wall, by penalty forces.
+//
+// Method: of each triangle near a capsule the place nearest to the capsule's axis is pushed out, as hard as it is deep;
+// the force falls as the wall gives way (PointForce::stiffness), so that a stiff penalty stays stable under implicit
+// Euler. Friction is a spring from where the capsule was, capped by Coulomb's law. Cost: one distance for each triangle
+// that is near.
 #include "tissue/contact.hpp"
 
 #include <algorithm>
@@ -37,11 +43,11 @@ void CapsuleContact::find(const Skin& skin, const Capsule& capsule, const Capsul
 void CapsuleContact::press(const Skin& skin, const Capsule& now, const Capsule& before,
                            std::vector<PointForce>& forces) {
     find(skin, now, before);
-    for (const auto& [triangle, at, way, along, depth] : places_) {
+    for (const auto& [triangle, at, direction, along, depth] : places_) {
         const MaterialPoint point = skin.point(triangle, weights_in(skin[triangle], at));
-        forces.push_back({point, def_.stiffness * depth * way, def_.stiffness, way});
+        forces.push_back({point, def_.stiffness * depth * direction, def_.stiffness, direction});
         const Vec3 gone = (1 - along) * (now.a - before.a) + along * (now.b - before.b),
-                   across = gone - gone.dot(way) * way;
+                   across = gone - gone.dot(direction) * direction;
         const double far = across.norm(), most = def_.friction * def_.stiffness * depth;
         if (most == 0) continue;
         const double stiffness = far * def_.stiffness > most ? most / far : def_.stiffness;
@@ -52,7 +58,7 @@ void CapsuleContact::press(const Skin& skin, const Capsule& now, const Capsule& 
 Vec3 CapsuleContact::force(const Skin& skin, const Capsule& capsule) {
     find(skin, capsule, capsule);
     Vec3 sum = Vec3::Zero();
-    for (const Place& place : places_) sum -= def_.stiffness * place.depth * place.way;
+    for (const Place& place : places_) sum -= def_.stiffness * place.depth * place.direction;
     return sum;
 }
 

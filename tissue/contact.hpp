@@ -8,9 +8,10 @@ using sim::geometry::Capsule;
 
 /// How hard what touches a wall is. SI.
 struct ContactDef {
-    double stiffness = 500;  ///< Of each contact [N/m]. Met implicitly: however stiff, it stays stable; what is softer
-                             ///< sinks in further.
-    double friction = 0;     ///< Coulomb's coefficient; a creeping one: what is held aslant slips by some um a second.
+    /// Of each contact [N/m]. Solved implicitly: however stiff, it stays stable; with less things sink in further.
+    double stiffness = 500;
+    /// Coulomb's coefficient, of a friction that creeps: what is held aslant slips by some um a second.
+    double friction = 0;
 };
 
 /// Parts of tools against a wall, as PointForces for its next step. Contacts are the places of the skin's triangles
@@ -18,23 +19,28 @@ struct ContactDef {
 /// the radius, before a step, counts as passed. Deterministic; allocates only for more contacts than ever before.
 class CapsuleContact {
   public:
+    /// Of parts as stiff and rough as this.
     explicit CapsuleContact(const ContactDef& def) : def_(def) {}
 
-    /// Appends to `forces` what pushes the wall out of `now`; with friction drawn along as the capsule went from
-    /// `before`. 5 us where nothing touches.
+    /// Appends to `forces` what pushes the wall out of the capsule `now`; with friction the wall is drawn along as the
+    /// capsule went from `before`. 5 us where nothing touches.
     void press(const Skin& skin, const Capsule& now, const Capsule& before, std::vector<PointForce>& forces);
-    /// On the capsule, pressure alone, as wall and capsule are [N]: after Skin::update().
+    /// Force of the wall on the capsule by pressure alone, as both are after Skin::update() [N].
     Vec3 force(const Skin& skin, const Capsule& capsule);
 
   private:
     struct Place {
         int triangle;
-        Vec3 at, way;         // of the wall, where it is pushed
-        double along, depth;  // of the axis, 0 to 1; [m]
+        Vec3 at;         // of the wall [m]
+        Vec3 direction;  // in which the wall is pushed, unit
+        double along;    // the capsule's axis, 0 to 1
+        double depth;    // [m]
     };
     void find(const Skin& skin, const Capsule& capsule, const Capsule& before);
 
     ContactDef def_;
+
+    // Scratch.
     std::vector<int> near_;
     std::vector<Place> places_;
 };
@@ -46,7 +52,7 @@ class CapsuleContact {
 /// only for more contacts than ever before.
 class WallContact {
   public:
-    /// For walls of this thickness, the thinner of two [m].
+    /// For walls of this thickness, the thinner of two, above 0 [m].
     WallContact(const ContactDef& def, double thickness) : def_(def), thickness_(thickness) {}
 
     /// Two walls; appends to the forces of each. 2 us where their boxes are apart, some 160 us for two vessels of 900
@@ -58,7 +64,7 @@ class WallContact {
     void press(const Mesh& rest, const Skin& skin, std::vector<PointForce>& forces,
                const Eigen::Isometry3d& carried = Eigen::Isometry3d::Identity());
 
-    int contacts() const { return contacts_; }  ///< Of the last press().
+    int contacts() const { return contacts_; }  ///< How many the last press() found.
 
   private:
     struct Nearest {
@@ -81,15 +87,18 @@ class WallContact {
     ContactDef def_;
     double thickness_;
     int contacts_ = 0;
+
+    // Scratch of one press().
     Box grid_;
-    double edge_ = 0;  // of a cell of the grid [m]
-    std::array<int, 3> size_{};
-    std::vector<int> face_;                   // of a node, one of its faces; -1
-    std::vector<bool> is_bent_;               // nodes that have gone from their rest
-    std::vector<std::array<int, 2>> sorted_;  // cells and nodes in them
-    std::vector<int> first_;                  // of a column of cells, the first of these
-    Box about_, about_bent_;                  // boxes of the nodes in cells, and of the bent ones among them
-    std::vector<Nearest> nearest_;
+    double edge_ = 0;                           // of a cell of the grid [m]
+    std::array<int, 3> size_{};                 // of the grid, in cells
+    std::vector<int> face_;                     // of each node, one of its faces; none: -1
+    std::vector<bool> is_bent_;                 // nodes that have gone from their rest
+    std::vector<std::array<int, 2>> sorted_;    // cells and nodes in them
+    std::vector<int> first_;                    // of each column of cells, the first of these
+    Box about_;                                 // box of the nodes in cells
+    Box about_bent_;                            // box of the bent ones among them
+    std::vector<Nearest> nearest_;              // of each node
     std::array<std::vector<Vec3>, 4> normals_;  // of each side of the wall, at its nodes; of any length
 };
 

@@ -1,3 +1,5 @@
+// Exact line search along a polynomial: the bracket is doubled until the slope rises, then bisected 40 times. Steps
+// back where a hill lies before the lowest point. Cost: some hundred evaluations of a polynomial of degree six.
 #include "tissue/descent.hpp"
 
 namespace tissue {

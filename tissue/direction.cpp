@@ -1,4 +1,9 @@
-// Which way a wall goes in a move.
+// In which direction a wall goes in a move.
+//
+// Method: a nonlinear conjugate gradient (Polak and Ribiere 1969) whose preconditioner is the stiffness that is
+// factored. Two corrections keep an old stiffness of use: it is rotated and stretched by how the wall about each node
+// has deformed since (find_strain), and the stiffness of today's point forces takes the place of the one that was
+// factored (find_solved), by a few conjugate gradients. Cost: one to four solves with the factors.
 #include <algorithm>
 #include <cmath>
 
@@ -7,8 +12,8 @@
 
 namespace tissue {
 
-// Mean gradient of cells, and of the cells about a node, with respect to where nodes were when the stiffness was found:
-// as that is, column by column.
+// The mean deformation of the cells about each node since the stiffness was found: the gradient of where nodes are with
+// respect to where they were then, column by column.
 void Tissue::find_strain() {
     strain_.assign(x_.size(), {});
     shared_.assign(x_.size(), 0);
@@ -38,11 +43,11 @@ void Tissue::find_strain() {
     }
 }
 
-// M^-1 of what pushes, where M is the stiffness that is factored, drawn along.
-void Tissue::soften(std::span<const Vec3> push, std::vector<Vec3>& to) {
+// The solution M^-1 f, where M is the stiffness that is factored, carried along by the deformation since.
+void Tissue::soften(std::span<const Vec3> force, std::vector<Vec3>& to) {
     for (std::size_t i = 0; i < x_.size(); ++i) {
-        const Lane force(push[i].x(), push[i].y(), push[i].z(), 0);
-        to[i] = Vec3((strain_[i][0] * force).sum(), (strain_[i][1] * force).sum(), (strain_[i][2] * force).sum());
+        const Lane here(force[i].x(), force[i].y(), force[i].z(), 0);
+        to[i] = Vec3((strain_[i][0] * here).sum(), (strain_[i][1] * here).sum(), (strain_[i][2] * here).sum());
     }
     matrix_.solve(to);
     for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -51,28 +56,29 @@ void Tissue::soften(std::span<const Vec3> push, std::vector<Vec3>& to) {
     }
 }
 
-void Tissue::add_lost(std::span<const PointForce> forces, double times, std::span<const Vec3> way,
+void Tissue::add_lost(std::span<const PointForce> forces, double times, std::span<const Vec3> gone,
                       std::vector<Vec3>& to) const {
     for (const PointForce& force : forces)
         share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights,
-              times * force.lost(carried(force.at, way)), to);
+              times * force.lost(carried(force.at, gone)), to);
 }
 
-// Solved with the stiffness of today's forces for that of those the factors know, by conjugate gradients, each a solve:
-// few differ, so few do. M times the way is what was solved for, so that M is never needed.
+// Solves with the stiffness of today's forces in place of that of the forces the factors know, by conjugate gradients
+// preconditioned with the factors: few forces differ, so few iterations do. M times a direction is what was solved for,
+// so that M itself is never needed.
 void Tissue::find_solved() {
-    soften(push_, solved_);
+    soften(free_residual_, solved_);
     if (stiff_.empty() && used_stiff_.empty()) return;
-    constexpr int most = 3;          // solves more
-    constexpr double enough = 1e-4;  // a hundredth of the way, squared: the lowest point along it makes up for it; and
-                                     // of what pushes, that hardly anything is left
-    left_ = push_, next_ = solved_, along_way_ = push_;
+    constexpr int most = 3;  // more solves
+    // A hundredth of the direction, squared, which its lowest point makes up for; and of the residual, hardly anything.
+    constexpr double enough = 1e-4;
+    left_ = free_residual_, next_ = solved_, factored_pull_ = free_residual_;
     solved_.assign(x_.size(), Vec3::Zero());
     const double all = dot(left_, next_);
     double product = all;
-    std::vector<Vec3>& softened = lway_;  // not known yet
+    std::vector<Vec3>& softened = ldirection_;  // whose own content is not known yet
     for (int k = 0;; ++k) {
-        pull_ = along_way_;  // the whole stiffness times the way
+        pull_ = factored_pull_;  // becomes the whole stiffness times the direction
         add_lost(stiff_, 1, next_, pull_);
         add_lost(used_stiff_, -1, next_, pull_);
         const double curvature = dot(pull_, next_);
@@ -80,32 +86,32 @@ void Tissue::find_solved() {
         const double far = product / curvature;
         for (std::size_t i = 0; i < x_.size(); ++i)
             solved_[i] += far * next_[i], left_[i] = (left_[i] - far * pull_[i]).cwiseProduct(free_[i]);
-        if (k == most || dot(left_, left_) <= enough * enough * dot(push_, push_)) break;
+        if (k == most || dot(left_, left_) <= enough * enough * dot(free_residual_, free_residual_)) break;
         soften(left_, softened);
         const double now = dot(left_, softened), kept = now / product;
         if (!(now > enough * all)) break;
         for (std::size_t i = 0; i < x_.size(); ++i)
-            next_[i] = softened[i] + kept * next_[i], along_way_[i] = left_[i] + kept * along_way_[i];
+            next_[i] = softened[i] + kept * next_[i], factored_pull_[i] = left_[i] + kept * factored_pull_[i];
         product = now;
     }
-    if (!(dot(push_, solved_) > 0)) soften(push_, solved_);
+    if (!(dot(free_residual_, solved_) > 0)) soften(free_residual_, solved_);
 }
 
-// Nonlinear conjugate gradients (Polak and Ribiere) with the factored stiffness for a metric. At the lowest point of
-// the last way nothing pushes along it; where something does, the load is new, and the last way may be mere rounding.
-void Tissue::find_way(bool afresh) {
+// The next direction. At the lowest point along the last one no residual is left along it; where some is, the load is
+// new, and the last direction may be mere rounding.
+void Tissue::find_direction(bool afresh) {
     find_strain();
     find_solved();
-    const double product = dot(push_, solved_),
+    const double product = dot(free_residual_, solved_),
                  kept = afresh || last_product_ <= 0
                             ? 0
-                            : std::max(0.0, (product - dot(last_push_, solved_)) / last_product_);
-    const double carried_on = kept * dot(push_, way_);
+                            : std::max(0.0, (product - dot(last_residual_, solved_)) / last_product_);
+    const double carried_on = kept * dot(free_residual_, direction_);
     const bool is_new_load = !(std::abs(carried_on) < 0.5 * product);
     for (std::size_t i = 0; i < x_.size(); ++i)
-        way_[i] = solved_[i] + (is_new_load ? 0 : kept) * way_[i].cwiseProduct(free_[i]);
-    if (!(dot(push_, way_) > 0)) way_ = solved_;
-    last_push_ = push_;
+        direction_[i] = solved_[i] + (is_new_load ? 0 : kept) * direction_[i].cwiseProduct(free_[i]);
+    if (!(dot(free_residual_, direction_) > 0)) direction_ = solved_;
+    last_residual_ = free_residual_;
     last_product_ = product;
 }
 

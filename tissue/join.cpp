@@ -1,3 +1,5 @@
+// Judges a join: rims, bites, stitches, suture line, lumen and leak, each from geometry as it is now and at rest. Runs
+// once, when a drill ends. Leaks are orifice flows and plane Poiseuille flows in series (leak.hpp).
 #include "tissue/join.hpp"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The one of `all` that is nearest to a point at rest.
+// Which of `all` is nearest to a point at rest.
 Rim rim_next_to(std::vector<Rim> all, const Mesh& rest, const Vec3& point) {
     const auto off = [&](const Rim& rim) { return (middle(rim, rest.nodes) - point).norm(); };
     return all.empty()
@@ -23,7 +25,7 @@ Rim rim_next_to(std::vector<Rim> all, const Mesh& rest, const Vec3& point) {
                : *std::min_element(all.begin(), all.end(), [&](const Rim& a, const Rim& b) { return off(a) < off(b); });
 }
 
-// Where the wall is at rest, as far as any one point tells.
+// Any point of the wall tells about where the wall is at rest.
 Vec3 centre(const Mesh& rest) {
     Vec3 sum = Vec3::Zero();
     for (const Vec3& node : rest.nodes) sum += node;
@@ -38,7 +40,7 @@ SewnEnd end_of(const SewnVessel& vessel, const SewnVessel& other) {
     return {vessel, outer, rim_next_to(inner, vessel.rest, middle(outer, vessel.rest.nodes))};
 }
 
-// The cut's area over the mean length of its rims.
+// Thickness of the wall: the cut's area over the mean length of its rims [m].
 double wall_of(const Mesh& rest) {
     double area = 0, rim = 0;
     for (const Face& face : rest.faces) {
@@ -91,7 +93,7 @@ double leak(std::span<const SewnBite> bites, double diameter, const Fluid& fluid
     return sum;
 }
 
-// Of passes that were taken back after they had gone through the wall.
+// Leak of passes that were taken back after they had gone through the wall [m^3/s].
 double leak_of_passes(const SewnVessel& vessel, const Fluid& fluid) {
     double sum = 0;
     for (const Bite& bite : vessel.bites) {

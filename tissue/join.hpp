@@ -7,69 +7,76 @@ namespace tissue {
 
 /// One of two vessels whose ends were sewn together. Both are at rest in one frame, one end facing the other.
 struct SewnVessel {
-    const Mesh& rest;  ///< With a cut, and a lumen.
-    const Skin& skin;  ///< As it is now, with its holes.
-    std::span<const Bite> bites;
-    Vec3 axis = Vec3::UnitX();  ///< At rest next to the cut, unit, either way.
+    const Mesh& rest;             ///< Its wall, with a cut and a lumen.
+    const Skin& skin;             ///< As it is now, with its holes.
+    std::span<const Bite> bites;  ///< All of them.
+    Vec3 axis = Vec3::UnitX();    ///< At rest next to the cut, unit, towards the cut or away.
 };
 
 /// A piece of the suture line, along the outer rim of vessel 0; from there to the inner rim it has a segment across the
 /// cut.
 struct LinePiece {
-    double place = 0, length = 0;  ///< Of its middle; at rest [m].
-    double gap = 0;      ///< Least distance of the segment to the other vessel's skin; 0 where it is in that wall [m].
-    double overlap = 0;  ///< How far from the other vessel's rim, at rest, its outer or inner side is next; 0 where a
-                         ///< gap of a wall or more is [m].
-    double width = 0;    ///< Now, mean of both rims [m].
+    double place = 0;   ///< Of its middle along the rim at rest [m].
+    double length = 0;  ///< At rest [m].
+    double gap = 0;     ///< Least distance of the segment to the other vessel's skin; 0 where it is in that wall [m].
+    /// How far from the other vessel's rim, at rest, that vessel's nearest outer or inner side is; 0 where there is a
+    /// gap of a wall or more [m].
+    double overlap = 0;
+    double width = 0;  ///< Now, mean of both rims [m].
 };
 
 /// An open bite, judged.
 struct SewnBite {
-    int vessel = 0, bite = 0;  ///< Its number there.
-    int pass = 0;
-    bool partial = false, both_walls = false;
-    double size =
-        0;  ///< From its end on the outer side to the outer rim, the further if both are; at rest [m]. 0: none is.
-    double depth = 0;  ///< Of the needle below the skin [m].
-    double place = 0;  ///< Along the outer rim [m] ...
-    double angle = 0;  ///< ... and of that place about vessel 0's axis, both at rest [rad].
-    double through = 0,
-           inside = 0;       ///< From hole to hole, and from the one that is not `size`'s to its rim; at rest [m].
-    double strain = 0;       ///< By which its distance to the outer rim, straight, has become less; negative: more.
-    double hole = 0;         ///< The longer way across its longer hole, by the wall's stretch there [m].
+    int vessel = 0;           ///< 0 or 1.
+    int bite = 0;             ///< Its number there.
+    int pass = 0;             ///< As Bite::pass.
+    bool partial = false;     ///< As Bite::partial().
+    bool both_walls = false;  ///< As Bite::both_walls.
+    /// From its end on the outer side to the outer rim, the farther if both ends are there; at rest [m]. 0: neither is.
+    double size = 0;
+    double depth = 0;        ///< Of the needle below the skin [m].
+    double place = 0;        ///< Along the outer rim at rest [m].
+    double angle = 0;        ///< Of that place about vessel 0's axis at rest [rad].
+    double through = 0;      ///< From hole to hole at rest [m].
+    double inside = 0;       ///< From the end that is not `size`'s to its rim at rest [m].
+    double strain = 0;       ///< By which its straight distance to the outer rim has become less; negative: more.
+    double hole = 0;         ///< Longest diameter of its longer hole, by the wall's stretch there [m].
     double hole_radius = 0;  ///< At rest [m].
-    bool torn = false;
-    int thread = -1;                    ///< That goes through both holes; none: -1.
-    double along = 0, outer_along = 0;  ///< That thread, of its middle and of `size`'s end [m].
+    bool torn = false;       ///< As Bite::torn.
+    int thread = -1;         ///< Number of the thread that goes through both its holes; none: -1.
+    double along = 0;        ///< Place of its middle along that thread [m].
+    double outer_along = 0;  ///< Place of `size`'s end along that thread [m].
 };
 
-/// The thread goes from one vessel to the other: a bite in each, next to each other along it. Of bites of one pass the
-/// ones furthest from the other vessel.
+/// The thread goes from one vessel to the other: a bite in each, next to each other along the thread. Where one pass
+/// made several, those farthest from the other vessel count.
 struct Stitch {
-    std::array<int, 2> bites;  ///< In vessel 0 and 1.
+    std::array<int, 2> bites;  ///< In vessel 0 and 1, as numbers in Join::bites.
     double arc = 0;            ///< Between them round the ring, 0 to half a turn [rad].
-    double obliqueness = 0;  ///< Of the line between their outer ends to the way straight across the cut, both ends at
-                             ///< rest and met [rad].
-    double loop = 0;  ///< Thread between the outer ends over the way along the wall that it was led; 0: not known.
+    /// Between the line that joins their outer ends and straight across the cut, both vessels at rest and met [rad].
+    double obliqueness = 0;
+    /// Thread between the outer ends over the length of its path along the wall; 0: not known.
+    double loop = 0;
 };
 
 /// What is left of an operation. SI.
 struct Join {
-    double diameter = 0;  ///< Of the thread [m].
-    double wall = 0;      ///< Of vessel 0 along its cut at rest [m].
-    double rim = 0;       ///< Length of vessel 0's outer rim at rest [m].
-    std::vector<LinePiece> line;
-    std::vector<SewnBite> bites;  ///< By thread and along it; those without a thread first.
-    std::vector<Stitch> stitches;
+    double diameter = 0;                         ///< Of the thread [m].
+    double wall = 0;                             ///< Thickness of vessel 0 along its cut at rest [m].
+    double rim = 0;                              ///< Length of vessel 0's outer rim at rest [m].
+    std::vector<LinePiece> line;                 ///< The suture line, piece by piece round the rim.
+    std::vector<SewnBite> bites;                 ///< Sorted by thread and place along it; those without a thread first.
+    std::vector<Stitch> stitches;                ///< In their order along the threads.
     std::array<std::vector<double>, 2> spacing;  ///< From stitch to stitch round each outer rim, at rest [m].
     double arc_of_pass = 0;      ///< The widest between bites of one vessel in one pass, round the ring [rad].
     double lumen_ratio = 1;      ///< The lesser of both vessels' (lumen.hpp).
-    double thread_in_lumen = 0;  ///< Length of thread deeper than its diameter in the lumen [m] ...
-    double deepest_thread = 0;   ///< ... and how deep its middle is at most [m].
-    double leak_of_line = 0, leak_of_holes = 0;  ///< [m^3/s]
+    double thread_in_lumen = 0;  ///< Length of thread deeper than its diameter in the lumen [m].
+    double deepest_thread = 0;   ///< How deep the middle of a thread is in the lumen at most [m].
+    double leak_of_line = 0;     ///< Through the suture line [m^3/s].
+    double leak_of_holes = 0;    ///< Through holes of the needle [m^3/s].
 
     bool is_sewn() const { return !stitches.empty(); }  ///< Else nothing but their place holds the ends together.
-    double leak() const { return leak_of_line + leak_of_holes; }
+    double leak() const { return leak_of_line + leak_of_holes; }  ///< All of it [m^3/s].
 };
 
 /// Judges the join of two vessels by threads of one diameter [m], each a line of nodes. Once, when a drill ends: some 8

@@ -1,3 +1,5 @@
+// Stiffness matrix of linear tetrahedra (finite elements, Zienkiewicz and Taylor 2000), mixed with that of the
+// gradient's mean over a cell, which bends more easily. Found once; a step only multiplies.
 #include "tissue/laplacian.hpp"
 
 #include <map>

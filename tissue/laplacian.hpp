@@ -3,15 +3,16 @@
 
 namespace tissue {
 
-/// The energy of the gradient of what nodes carry, 1/2 x L x = 1/2 sum of rest volume |F|^2: a constant matrix of one
-/// number a pair of nodes, in rows.
+/// The matrix L of the energy of the gradient F of what nodes carry, 1/2 x L x = 1/2 sum of rest volume |F|^2:
+/// constant, one number for each pair of nodes of a cell, kept in rows.
 class Laplacian {
   public:
+    /// Of a mesh at rest.
     explicit Laplacian(const Mesh& mesh);
 
-    void multiply(std::span<const Vec3> x, std::vector<Vec3>& to) const;  ///< to = L x [m^2, for x in m].
-    std::span<const int> neighbours(int node) const;                      ///< Itself among them.
-    std::span<const double> weights(int node) const;                      ///< [m], in the same order.
+    void multiply(std::span<const Vec3> x, std::vector<Vec3>& to) const;  ///< to = L x, for x in m in m^2.
+    std::span<const int> neighbours(int node) const;                      ///< Columns of a node's row, its own too.
+    std::span<const double> weights(int node) const;  ///< Numbers of a node's row, in that order [m].
 
   private:
     std::vector<std::size_t> first_;

@@ -1,3 +1,4 @@
+// The ten lapses of the Anastomosis Lapse Index (Ghanem et al. 2016) as tests on a join's measures.
 #include "tissue/lapse.hpp"
 
 #include <algorithm>

@@ -4,34 +4,36 @@
 namespace tissue {
 
 /// Where a lapse begins: what reference work names, or judgement where it names nothing; an instructor may change each.
-/// Lengths of a wall are of the vessel's.
+/// Walls are the vessel's thickness.
 struct LapseLimits {
-    double gap = 0.25;         ///< Walls: wider than this the suture line is open ...
-    double open_spacings = 1;  ///< ... and disrupted where it is so for more spacings at a stretch.
-    double arc = 90;           ///< Between bites that one loop joins, round the ring [degrees].
-    double obliqueness = 15;   ///< [degrees]
-    double bite_walls = 3;
-    double bite_medians = 1.5;   ///< Medians of all bites.
-    double partial_bites = 0;    ///< How many may be.
-    double least_spacing = 0.6;  ///< Means of the same rim's ...
-    double most_spacing = 1.5;
-    double spacing_variation = 0.25;  ///< ... and standard deviation over mean.
-    double hole_diameters = 2;        ///< Length of a hole in diameters of the thread.
-    double torn_holes = 0;            ///< How many may be.
-    double edge_strain = 0.3;         ///< By how much of it a bite is pressed together.
-    double least_loop = 0.8;          ///< Loop over the way along the wall that it was led.
-    double depth_diameters = 1;       ///< Of thread in the lumen, in its diameters.
-    double overlap_walls = 1;
+    double gap = 0.25;           ///< The suture line is open where its gap is wider than this [walls].
+    double open_spacings = 1;    ///< It is disrupted where it is open for longer than this at a stretch [spacings].
+    double arc = 90;             ///< Between bites that one loop joins, round the ring, at most [degrees].
+    double obliqueness = 15;     ///< Of a stitch, at most [degrees].
+    double bite_walls = 3;       ///< Size of a bite, at most [walls].
+    double bite_medians = 1.5;   ///< Size of a bite, at most [medians of all bites].
+    double partial_bites = 0;    ///< How many bites may be partial.
+    double least_spacing = 0.6;  ///< From stitch to stitch, at least [means of the same rim's].
+    double most_spacing = 1.5;   ///< From stitch to stitch, at most [means of the same rim's].
+    double spacing_variation = 0.25;  ///< Standard deviation of spacings over their mean, at most.
+    double hole_diameters = 2;        ///< Length of a hole, at most [diameters of the thread].
+    double torn_holes = 0;            ///< How many holes may be torn to the edge.
+    double edge_strain = 0.3;         ///< By how much of its size a bite may be pressed together.
+    double least_loop = 0.8;          ///< Loop over the length of its path along the wall, at least.
+    double depth_diameters = 1;       ///< How deep thread may be in the lumen [diameters of the thread].
+    double overlap_walls = 1;         ///< By how much the ends may overlap [walls].
 };
 
 /// One kind of mistake that an opened join shows.
 struct Lapse {
-    const char* name;
-    const char* measure =
-        "";  ///< What value and limit are of: of several the first that is over its limit, else the first.
-    double value = 0, limit = 0;  ///< The worst of the join.
-    bool at_least = false;        ///< The limit is from below.
-    bool committed = false;
+    const char* name;  ///< Of the kind.
+    /// What value and limit are of, with their unit: of several measures the first that is over its limit, else the
+    /// first.
+    const char* measure = "";
+    double value = 0;        ///< The worst of the join.
+    double limit = 0;        ///< Beyond it the lapse is committed.
+    bool at_least = false;   ///< The limit is from below.
+    bool committed = false;  ///< The limit is not kept.
 };
 
 /// The ten of the Anastomosis Lapse Index (Ghanem et al. 2016), in its order: disruption of the suture line, back-wall

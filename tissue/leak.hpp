@@ -5,8 +5,8 @@ namespace tissue {
 
 /// What runs out, and how hard it is pressed. Blood at 100 mmHg.
 struct Fluid {
-    double density = 1055;      ///< [kg/m^3]
-    double viscosity = 3.5e-3;  ///< [Pa s]
+    double density = 1055;      ///< Of blood [kg/m^3].
+    double viscosity = 3.5e-3;  ///< Of blood in a wide vessel [Pa s].
     double pressure = 13332;    ///< Inside over outside [Pa], not negative.
 };
 
@@ -38,7 +38,7 @@ inline double leak_of_hole(double area, const Fluid& fluid = {}) {
     return discharge_coefficient * area * std::sqrt(2 * fluid.pressure / fluid.density);
 }
 
-/// Of a flow in m^3/s.
+/// A flow in mL/min, of one in m^3/s.
 inline double in_ml_per_min(double flow) {
     return flow * 60e6;
 }

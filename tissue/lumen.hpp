@@ -11,11 +11,13 @@ namespace tissue {
 std::optional<double> section_area(std::span<const Face> inner, std::span<const Vec3> nodes, const Vec3& point,
                                    const Vec3& normal);
 
-/// Which way a vessel's `axis`, unit, points away from its cut, at rest and now (unit). Now: as the wall within a
-/// diameter of the cut carries it along, by the affine map that fits it best.
+/// A vessel's axis as it points away from a cut.
 struct Axis {
-    Vec3 rest, now;
+    Vec3 rest;  ///< At rest, unit.
+    Vec3 now;   ///< As the wall within a diameter of the cut carries it along, by the affine map that fits best; unit.
 };
+/// The axis at the cut with this inner rim, of a vessel whose `axis` (unit, either way) is known at rest. `nodes`: the
+/// wall's now [m].
 Axis axis_at(const Rim& inner, const Mesh& rest, std::span<const Vec3> nodes, const Vec3& axis);
 
 /// Least area of the lumen next to a cut over what it is there at rest: of its inner rim, and of sections across the

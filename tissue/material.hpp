@@ -11,7 +11,7 @@ struct Material {
     /// pressed together both ways to 0.8 within 2 % of what cannot change its volume, the worst of D19; a tube's radius
     /// under pressure already at 30.
     double bulk_over_shear = 200;
-    double density = 1060;  ///< [kg/m^3]
+    double density = 1060;  ///< Of a vessel's wall [kg/m^3].
     /// Time in which a strip that is let go loses all but 1/e of its strain [s]. Chosen by eye, no source. The stress
     /// is viscosity() times the gradient of the velocity, so that it resists turning as well.
     double relaxation = 2.5e-3;
@@ -20,7 +20,7 @@ struct Material {
     double slowing = 25e-3;
 
     double shear() const { return young / 3; }                     ///< mu [Pa].
-    double viscosity() const { return 2 * relaxation * shear(); }  ///< [Pa s]
+    double viscosity() const { return 2 * relaxation * shear(); }  ///< Of the wall, by `relaxation` [Pa s].
     double bulk() const { return bulk_over_shear * shear(); }      ///< kappa [Pa].
 };
 

@@ -12,16 +12,18 @@ using sim::geometry::Vec3;
 /// Which part of a wall's surface a face belongs to.
 enum class Side { outer, inner, cut, far_end };
 
+/// A triangle of a wall's surface.
 struct Face {
     std::array<int, 3> nodes;  ///< Counter-clockwise seen from outside the wall.
-    Side side;
+    Side side;                 ///< Which part of the surface it belongs to.
 };
 
+/// Four nodes.
 using Tetrahedron = std::array<int, 4>;
 
 /// A wall of tetrahedra, as it is when nothing pulls at it.
 struct Mesh {
-    std::vector<Vec3> nodes;              ///< [m]
+    std::vector<Vec3> nodes;              ///< Where they are at rest [m].
     std::vector<Tetrahedron> tetrahedra;  ///< Of positive volume().
     /// Cell c is tetrahedra cells[c] to cells[c + 1] - 1: one hexahedron of a tube, one prism of a wall. A cell keeps
     /// its volume as a whole, for a linear tetrahedron that keeps its own can hardly move (it locks).
@@ -35,16 +37,17 @@ inline double volume(const Tetrahedron& tet, std::span<const Vec3> nodes) {
     return (at(1) - at(0)).dot((at(2) - at(0)).cross(at(3) - at(0))) / 6;
 }
 
-/// Whether a point is in any of these. 15 us for 2300 that it is next to, 1 us where it is in no box about all nodes.
+/// Whether a point [m] is in any of these tetrahedra. 15 us for 2300 that it is next to, 1 us where it is not in the
+/// box about all nodes.
 bool is_in_wall(std::span<const Tetrahedron> tetrahedra, std::span<const Vec3> nodes, const Vec3& point);
 
 /// A point that moves with the wall.
 struct MaterialPoint {
-    int tetrahedron = 0;
+    int tetrahedron = 0;                                    ///< Which it is in.
     std::array<double, 4> weights{0.25, 0.25, 0.25, 0.25};  ///< Barycentric, of its corners; their sum is 1.
 };
 
-/// Where it is [m].
+/// Where a point of the wall is when the mesh has its nodes here [m].
 inline Vec3 position(const MaterialPoint& point, const Mesh& mesh, std::span<const Vec3> nodes) {
     const Tetrahedron& tet = mesh.tetrahedra[static_cast<std::size_t>(point.tetrahedron)];
     Vec3 at = Vec3::Zero();

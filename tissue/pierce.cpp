@@ -1,5 +1,11 @@
 // Openings in the skin.
+//
+// Method: the outline, a regular octagon or one drawn out to a slit, is cut out of each triangle that it meets: eight
+// rays from its middle divide the triangle into sectors, each of which is clipped by the outline's edge there
+// (Sutherland and Hodgman 1974) and split into triangles as a fan. Neighbours are split by the same rays, so that they
+// keep fitting.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -9,12 +15,12 @@ namespace tissue {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of a radius: nearer than this to an edge of the outline is on it
+constexpr double rounding = 1e-9;  // in radii: what is nearer than this to an edge of the outline is on it
 
 }  // namespace
 
-// Seen along the way that the hole is pierced; edges are numbered counter-clockwise from x. A slit is one drawn out
-// along x: what of it looks that way is further on.
+// What is cut out, seen along the direction in which it is pierced; edges are numbered counter-clockwise from x. A slit
+// is a hole drawn out along x: the edges on that side are further on.
 struct Skin::Outline {
     Vec3 centre, direction, x, y, up;
     double radius, length = 0;
@@ -52,7 +58,7 @@ struct Skin::Polygon {  // convex, a triangle less what is beyond some edges
     const Vertex& operator[](std::size_t k) const { return vertices[k]; }
 };
 
-// What of it has more than nothing; new vertices are the wall's where they are.
+// The part of a polygon whose height is above nothing; new vertices are the wall's where they are.
 template <class Height>
 Skin::Polygon Skin::clipped(const Polygon& all, int face, double tiny, const Height& height) const {
     Polygon kept;
@@ -67,8 +73,8 @@ Skin::Polygon Skin::clipped(const Polygon& all, int face, double tiny, const Hei
     return kept;
 }
 
-// Each sector beyond its edge is a convex piece that stays. Triangles that only go along are split by the same rays, so
-// that neighbours keep fitting.
+// Cuts a triangle. Each sector beyond its edge of the outline is a convex piece that stays. Triangles that only go
+// along with a hole are split by the same rays, so that neighbours keep fitting.
 bool Skin::cut(std::size_t i, const Outline& outline) {
     const double tiny = rounding * outline.radius;
     const Triangle before = triangles_[i];
@@ -106,7 +112,8 @@ bool Skin::cut(std::size_t i, const Outline& outline) {
     return true;
 }
 
-// What goes along with another hole already stays with that one, unless it is on this one's rim.
+// Corners near a new hole go along with it. A corner that goes along with another hole stays with that one, unless it
+// is on the new one's rim.
 void Skin::anchor(int hole, const Outline& outline) {
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         const std::array<Vec3, 3> at{triangles_[i].a, triangles_[i].b, triangles_[i].c};
@@ -122,12 +129,13 @@ void Skin::anchor(int hole, const Outline& outline) {
     }
 }
 
-// It is cut out of the wall as it is at rest: a dimple in which it is pierced does not stay, and a rim that had its
-// shape would stand out of it.
-int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius) {
+// A hole is cut out of the wall as it is at rest: the dimple in which it is pierced does not stay, and a rim of its
+// shape would stand out of the wall.
+int Skin::pierce(int face, const Vec3& point, const Vec3& direction_now, double radius) {
+    assert(face >= 0 && index(face) < faces_.size() && radius > 0 && "a hole in a face of this wall");
     Hole& hole = holes_.emplace_back(Hole{face, radius, weights_in_face(face, point)});
     place(hole);
-    const Vec3 in_frame = hole.frame.transpose() * way_now;
+    const Vec3 in_frame = hole.frame.transpose() * direction_now;
     pierced_at_.assign(nodes_.begin(), nodes_.end());
     std::vector<Wire> wires = std::exchange(wires_, {});
     update(rest_);
@@ -136,12 +144,12 @@ int Skin::pierce(int face, const Vec3& point, const Vec3& way_now, double radius
                  most_aslant = std::sqrt(1 / (least_steep * least_steep) - 1) * std::abs(steep);
     const Vec3 aslant = direction - steep * up;
     const double bend = aslant.norm() > most_aslant ? most_aslant / aslant.norm() : 1;
-    const Vec3 way = steep == 0 ? up : Vec3((steep * up + bend * aslant).normalized());
-    const Vec3 x = (hole.frame.col(0) - way.dot(hole.frame.col(0)) * way).normalized();
-    const Outline outline{hole.centre, way, x, way.cross(x), up, radius};
+    const Vec3 through = steep == 0 ? up : Vec3((steep * up + bend * aslant).normalized());
+    const Vec3 x = (hole.frame.col(0) - through.dot(hole.frame.col(0)) * through).normalized();
+    const Outline outline{hole.centre, through, x, through.cross(x), up, radius};
     open(outline);
     anchor(holes() - 1, outline);
-    hole.way = hole.frame.transpose() * way;
+    hole.direction = hole.frame.transpose() * through;
     wires_ = std::move(wires);
     update(pierced_at_);
     return holes() - 1;
@@ -165,12 +173,13 @@ void Skin::open(const Outline& outline) {
     for (std::size_t i = 0; i < kept; ++i) set_box(i);
 }
 
-// Cut out of the wall at rest as a hole is. Nothing goes along with it: a rim as long as this is not rigid.
+// A slit is cut out of the wall at rest as a hole is. Nothing goes along with it: a rim as long as this is not rigid.
 void Skin::slit(int face, const Vec3& from, const Vec3& to, double radius) {
+    assert(face >= 0 && index(face) < faces_.size() && radius > 0 && "a slit in a face of this wall");
     pierced_at_.assign(nodes_.begin(), nodes_.end());
     std::vector<Wire> wires = std::exchange(wires_, {});
     update(rest_);
-    const Vec3 up = normal_of_face(face), way = to - from, along = way - way.dot(up) * up;
+    const Vec3 up = normal_of_face(face), span = to - from, along = span - span.dot(up) * up;
     const double length = along.norm();
     const Vec3 x = length > 0 ? Vec3(along / length) : Vec3((node(face, 1) - node(face, 0)).normalized());
     open({from, up, x, up.cross(x), up, radius, length});

@@ -1,3 +1,4 @@
+// Closed lines of edges between two sides of a wall, walked from edge to edge.
 #include "tissue/rim.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace tissue {
 /// [m], from 0 to length.
 struct Rim {
     std::vector<int> nodes;  ///< In order, the cut to its left seen from outside the wall; the first is not repeated.
-    std::vector<double> places;  ///< Of the nodes.
+    std::vector<double> places;  ///< Of the nodes, at rest [m].
     double length = 0;           ///< At rest [m].
 };
 
@@ -18,18 +18,18 @@ struct Rim {
 /// the lowest node of each; lines that do not close are left out.
 std::vector<Rim> rims(const Mesh& rest, Side side);
 
-/// A point of a rim [m] ...
+/// A point of a rim that is nearest to another point.
 struct RimPoint {
-    double place;
-    double distance;  ///< From what it is nearest to.
+    double place;     ///< Along the rim [m].
+    double distance;  ///< From that other point [m].
 };
-/// ... nearest to a point of the wall at rest. As far along as the rim has edges: some 10 ns each.
+/// The point of a rim nearest to a point of the wall, both at rest [m]. Some 10 ns for each edge of the rim.
 RimPoint nearest(const Rim& rim, const Mesh& rest, const Vec3& point);
-/// Where a place is now [m]; places beyond the end go round again.
+/// Where a place of a rim is when the mesh has its nodes here [m]; places beyond the end go round again.
 Vec3 position(const Rim& rim, double place, std::span<const Vec3> nodes);
-/// How long the rim is now [m].
+/// How long a rim is when the mesh has its nodes here [m].
 double length(const Rim& rim, std::span<const Vec3> nodes);
-/// The mean of its line, now [m].
+/// The mean of a rim's line when the mesh has its nodes here [m].
 Vec3 middle(const Rim& rim, std::span<const Vec3> nodes);
 
 }  // namespace tissue

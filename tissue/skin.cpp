@@ -1,3 +1,6 @@
+// A wall's surface as others touch it. Each triangle's corners are fixed in a face of the mesh and, near a hole, go
+// along with its rim by a share that falls with the distance; so an update is a linear map of the mesh's nodes. Queries
+// go through all boxes in order: some thousand triangles need no tree.
 #include "tissue/skin.hpp"
 
 #include <algorithm>
@@ -70,27 +73,28 @@ void Skin::place(Hole& hole) const {
     hole.aside = Vec3::Zero(), hole.reshaped = Eigen::Matrix3d::Zero();
 }
 
-// As far as the wall is stretched along the way that something goes through it aslant, seen along which the opening
-// then is as wide as across.
+// Stretches the wall in the direction in which something goes through it aslant: seen along it, the opening is then as
+// wide as across.
 Eigen::Matrix3d Skin::drawn_out(const Vec3& in_frame, bool back) {
     const Vec3 flat = Vec3(in_frame.x(), in_frame.y(), 0).normalized();
     const double steep = std::max(std::abs(in_frame.z()), least_steep);
     return Eigen::Matrix3d::Identity() + ((back ? steep : 1 / steep) - 1) * flat * flat.transpose();
 }
 
-// Drawn out as the wire asks instead of the way that it was pierced.
+// The rim is drawn out as the wire in it asks, instead of as the direction in which it was pierced did.
 void Skin::put_on(const Wire& wire) {
     Hole& hole = holes_[index(wire.hole)];
     hole.aside = wire.at - hole.centre;
-    hole.reshaped = hole.frame * (drawn_out(hole.frame.transpose() * wire.along, false) * drawn_out(hole.way, true) -
-                                  Eigen::Matrix3d::Identity());
+    hole.reshaped =
+        hole.frame * (drawn_out(hole.frame.transpose() * wire.along, false) * drawn_out(hole.direction, true) -
+                      Eigen::Matrix3d::Identity());
 }
 
 Vec3 Skin::position(int face, const Corner& corner) const {
     const Vec3 carried = at_face(face, corner.weights);
     if (corner.hole < 0) return carried;
     const Hole& hole = holes_[index(corner.hole)];
-    const double radii = fade - corner.share * (fade - 1);  // further out nothing goes by more than the rim
+    const double radii = fade - corner.share * (fade - 1);  // further out nothing goes farther than the rim
     return carried + corner.share * (hole.centre + hole.frame * corner.offset - carried + hole.aside +
                                      hole.reshaped * (corner.offset / radii));
 }
@@ -130,24 +134,24 @@ MaterialPoint Skin::point(int triangle, const Vec3& weights) const {
     return point_of_face(face(triangle), weights.x() * a.weights + weights.y() * b.weights + weights.z() * c.weights);
 }
 
-// By the volumes that the segment spans with the edges: two neighbours find exactly opposite ones, so that one of them
-// is hit.
+// Signs of the volumes that the segment spans with the edges. Two neighbours find exactly opposite ones for their edge,
+// so that one of them is hit.
 Skin::Spot Skin::hit(const Vec3& from, const Vec3& to, Facing facing) const {
     Spot best;
     Box reach;
     reach.include(from), reach.include(to);
     if (!all_.overlaps(reach)) return best;
-    const Vec3 way = to - from;
+    const Vec3 segment = to - from;
     for (int i = 0; i < size(); ++i) {
         if (!box(i).overlaps(reach)) continue;
         const Vec3 a = (*this)[i].a - from, b = (*this)[i].b - from, c = (*this)[i].c - from;
-        const Vec3 share(way.dot(b.cross(c)), way.dot(c.cross(a)), way.dot(a.cross(b)));
-        const double sum = share.sum();  // positive where the way and the normal agree
+        const Vec3 share(segment.dot(b.cross(c)), segment.dot(c.cross(a)), segment.dot(a.cross(b)));
+        const double sum = share.sum();  // positive where segment and normal agree
         if (sum == 0 || (facing == Facing::against && sum > 0) || (facing == Facing::along && sum < 0) ||
             (sum > 0 ? share.minCoeff() < 0 : share.maxCoeff() > 0))
             continue;
         const Vec3 weights = share / sum, at = weights.x() * a + weights.y() * b + weights.z() * c;
-        const double along = at.dot(way) / way.squaredNorm();
+        const double along = at.dot(segment) / segment.squaredNorm();
         if (along < 0 || along > 1 || (best.triangle >= 0 && along >= best.along)) continue;
         best = {i, weights, from + at, along, 0};
     }

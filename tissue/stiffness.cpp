@@ -1,4 +1,9 @@
-// The stiffness of a wall, put together and factored a slice a step.
+// The stiffness of a wall, assembled and factored a slice a step.
+//
+// What is assembled: the second derivative of the incremental energy at one state of the wall, in 3 x 3 blocks. Method:
+// sparse block Cholesky (block_matrix.cpp), spread over Solver::steps_per_factor steps while solves go on with the
+// factors before. Where the matrix is not positive definite, the next one leaves out the part that can be negative
+// (Gauss-Newton).
 #include <algorithm>
 #include <limits>
 
@@ -18,8 +23,7 @@ Block cross_matrix(const Vec3& w) {
 
 }  // namespace
 
-// What it takes to put together four cells, or a row of constant numbers, in block products: 1.1 and 0.04 us
-// against 1.5 ns.
+// Work of assembling four cells, or a row of constant numbers, in block products: 1.1 and 0.04 us against 1.5 ns.
 static constexpr long cell_work = 750, node_work = 25;
 
 long Tissue::assembly_work() const {
@@ -39,10 +43,11 @@ void Tissue::begin_factor() {
 void Tissue::add_stiffness(const PointForce& force) {
     const Tetrahedron& tet = rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)];
     const auto& w = force.at.weights;
-    const Block way = force.along.isZero(0) ? Block(Block::Identity()) : Block(force.along * force.along.transpose());
+    const Block directions =
+        force.along.isZero(0) ? Block(Block::Identity()) : Block(force.along * force.along.transpose());
     for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = 0; b <= a; ++b)
-            add_block(tet[a], tet[b], matrix_.place(tet[a], tet[b]), w[a] * w[b] * force.stiffness * way);
+            add_block(tet[a], tet[b], matrix_.place(tet[a], tet[b]), w[a] * w[b] * force.stiffness * directions);
 }
 
 void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Vec3& a, const Vec3& b, const Vec3& w) {
@@ -54,8 +59,8 @@ void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Vec3& a, co
         add_block(i, j, place, a * b.transpose() + cross_matrix(w));
 }
 
-// What is held gets its own stiffness and no coupling: solves leave it out, and should it be let go they still know how
-// stiff it is.
+// A held node keeps its own stiffness and gets no coupling: solves leave it out, and should it be let go they still
+// know how stiff it is.
 void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Block& whole) {
     const Vec3 &free_i = factored_free_[static_cast<std::size_t>(i)],
                &free_j = factored_free_[static_cast<std::size_t>(j)];
@@ -64,7 +69,7 @@ void Tissue::add_block(int i, int j, BlockMatrix::Place place, const Block& whol
     matrix_.add(place, kept);
 }
 
-// Elasticity that changes with nothing, and damping.
+// The constant part of a row: elasticity of the gradient, and damping.
 void Tissue::assemble_node(int i) {
     const double stiff = material_.shear() + material_.viscosity() * factored_rate_;
     const auto neighbours = laplacian_.neighbours(i);
@@ -102,8 +107,8 @@ void Tissue::assemble_cells(std::size_t c) {
     }
 }
 
-// Where the whole stiffness is not positive, as on the way past a buckling, the next one does without its part that can
-// be negative.
+// Where the whole stiffness is not positive definite, as past a buckling, the next one leaves out the part that can be
+// negative.
 void Tissue::go_on_factoring(long work) {
     if (!factoring_) begin_factor();
     const std::size_t n = x_.size();

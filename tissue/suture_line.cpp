@@ -7,7 +7,7 @@ namespace tissue {
 
 namespace {
 
-// Of both vessels, so that something is found.
+// How far to search: the extent of both vessels, so that something is found [m].
 double extent(const SewnEnd& a, const SewnEnd& b) {
     sim::geometry::Box box;
     for (const SewnEnd* end : {&a, &b})

@@ -1,6 +1,19 @@
+// One step of a wall.
+//
+// What is solved: the minimum of the incremental energy of implicit Euler without inertia: elastic energy, plus what
+// damping takes, less the work of the forces.
+// Method: quasi-Newton descent with exact line search. The direction is a nonlinear conjugate gradient (Polak and
+// Ribiere) whose preconditioner is Newton's stiffness of some steps ago, rotated along with the wall (direction.cpp);
+// it is assembled and factored (Cholesky) a slice a step (stiffness.cpp). Along the direction the energy is a
+// polynomial of degree six, so its lowest point is found without another look at the wall (descent.cpp). Why this one:
+// every step is as short as the next, and the energy never rises, however stiff or old the preconditioner. Source:
+// material of Smith, de Goes and Kim 2018, Stable Neo-Hookean Flesh Simulation; preconditioners that lag behind as in
+// Nocedal and Wright 2006, Numerical Optimization, chapters 5 and 7. Cost: one to four solves with the factors, a slice
+// of a factorisation, and passes over cells and nodes.
 #include "tissue/tissue.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "tissue/by_nodes.hpp"
@@ -33,8 +46,9 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
         for (const int i : tet)
             mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);
     const std::size_t n = x_.size();
-    for (std::vector<Vec3>* nodes : {&v_, &before_, &outside_, &lx_, &lx_before_, &lway_, &residual_, &push_, &way_,
-                                     &last_push_, &solved_, &left_, &next_, &along_way_, &pull_})
+    for (std::vector<Vec3>* nodes :
+         {&v_, &before_, &outside_, &lx_, &lx_before_, &ldirection_, &residual_, &free_residual_, &direction_,
+          &last_residual_, &solved_, &left_, &next_, &factored_pull_, &pull_})
         nodes->assign(n, Vec3::Zero());
     for (std::vector<PointForce>* forces : {&stiff_, &factored_stiff_, &used_stiff_})
         forces->reserve(rest_.faces.size());
@@ -60,6 +74,7 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
 }
 
 void Tissue::place(std::span<const Vec3> nodes) {
+    assert(nodes.size() == x_.size() && "one place for each node");
     x_.assign(nodes.begin(), nodes.end());
     v_.assign(x_.size(), Vec3::Zero());
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -79,7 +94,7 @@ Vec3 Tissue::position(const MaterialPoint& point) const {
     return carried(point, x_);
 }
 
-// Of zero strain it is zero, and F there is 1: |F|^2 = 3.
+// The elastic energy is zero without strain, where F is 1 and |F|^2 is 3.
 double Tissue::energy() const {
     std::vector<Vec3> lx;
     laplacian_.multiply(x_, lx);
@@ -96,19 +111,24 @@ double Tissue::energy() const {
 
 void Tissue::apply_holds(std::span<const Hold> holds) {
     free_.assign(x_.size(), Vec3::Ones());
-    for (const Hold& hold : holds)
+    for (const Hold& hold : holds) {
+        assert(hold.node >= 0 && static_cast<std::size_t>(hold.node) < x_.size() && hold.target.allFinite() &&
+               "a hold of a node that exists, to a finite place");
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (!hold.along[static_cast<std::size_t>(k)]) continue;
             const auto i = static_cast<std::size_t>(hold.node);
             free_[i][k] = 0;
             x_[i][k] = hold.target[k];
         }
+    }
 }
 
 void Tissue::add_forces(std::span<const PointForce> forces) {
     outside_.assign(x_.size(), Vec3::Zero());
     stiff_.clear();
     for (const PointForce& force : forces) {
+        assert(force.at.tetrahedron >= 0 && static_cast<std::size_t>(force.at.tetrahedron) < rest_.tetrahedra.size() &&
+               force.force.allFinite() && "a finite force at a point of this wall");
         share(rest_.tetrahedra[static_cast<std::size_t>(force.at.tetrahedron)], force.at.weights, force.force,
               outside_);
         if (force.stiffness > 0) stiff_.push_back(force);
@@ -125,7 +145,7 @@ void Tissue::add_pressure(double pressure) {
     }
 }
 
-// Minus the derivative of the incremental energy by each node.
+// The residual is minus the derivative of the incremental energy by each node.
 void Tissue::find_residual() {
     const double mu = material_.shear(), viscous = material_.viscosity() * rate_;
     for (std::size_t i = 0; i < x_.size(); ++i)
@@ -143,24 +163,25 @@ void Tissue::find_residual() {
         }
     }
     add_lost(stiff_, -1, x_, residual_), add_lost(stiff_, 1, before_, residual_);
-    for (std::size_t i = 0; i < x_.size(); ++i) push_[i] = residual_[i].cwiseProduct(free_[i]);
+    for (std::size_t i = 0; i < x_.size(); ++i) free_residual_[i] = residual_[i].cwiseProduct(free_[i]);
 }
 
-Descent Tissue::energy_along_way() {
-    laplacian_.multiply(way_, lway_);
+Descent Tissue::energy_along_direction() {
+    laplacian_.multiply(direction_, ldirection_);
     double drag = 0;
-    for (std::size_t i = 0; i < x_.size(); ++i) drag += drag_ * mass_[i] * way_[i].squaredNorm();
+    for (std::size_t i = 0; i < x_.size(); ++i) drag += drag_ * mass_[i] * direction_[i].squaredNorm();
     double stiff = 0;
     for (const PointForce& force : stiff_) {
-        const Vec3 way = carried(force.at, way_);
-        stiff += way.dot(force.lost(way));
+        const Vec3 gone = carried(force.at, direction_);
+        stiff += gone.dot(force.lost(gone));
     }
     std::array<Lane, 5> more;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Cells& cells = cells_[c];
-        const auto [second, third] = bulge(cells, x_, way_);
+        const auto [second, third] = bulge(cells, x_, direction_);
         Lane first;
-        for (std::size_t n = 0; n < cells.count; ++n) first += dot(volumes_[c].gradient[n], gathered(cells, n, way_));
+        for (std::size_t n = 0; n < cells.count; ++n)
+            first += dot(volumes_[c].gradient[n], gathered(cells, n, direction_));
         along_[c] = {first / cells.rest_volume, second / cells.rest_volume, third / cells.rest_volume};
         Lane p = pressure(c), k = Lane(material_.bulk()) / cells.rest_volume;
         p.clear_from(cells.used), k.clear_from(cells.used);
@@ -170,19 +191,21 @@ Descent Tissue::energy_along_way() {
         more[3] += k * second * third;
         more[4] += 0.5 * k * third * third;
     }
-    Descent energy{-dot(push_, way_),
-                   0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(way_, lway_) + drag + stiff)};
+    Descent energy{
+        -dot(free_residual_, direction_),
+        0.5 * ((material_.shear() + material_.viscosity() * rate_) * dot(direction_, ldirection_) + drag + stiff)};
     for (std::size_t k = 0; k < more.size(); ++k) energy[k + 1] += more[k].sum();
     return energy;
 }
 
-void Tissue::go_along_way(double far) {
-    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += far * way_[i], lx_[i] += far * lway_[i];
+void Tissue::go_along_direction(double far) {
+    for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += far * direction_[i], lx_[i] += far * ldirection_[i];
     for (std::size_t c = 0; c < cells_.size(); ++c)
         swelling_[c] += far * (along_[c][0] + far * (along_[c][1] + far * along_[c][2]));
 }
 
 Report Tissue::step(const Input& input, double seconds) {
+    assert(seconds > 0 && "a step that takes time");
     Report report;
     rate_ = 1 / seconds;
     before_ = x_;
@@ -197,13 +220,13 @@ Report Tissue::step(const Input& input, double seconds) {
     for (int i = 0; i < solver_.iterations; ++i) {
         find_residual();
         report.residual = 0;
-        for (const Vec3& force : push_) report.residual = std::max(report.residual, force.norm());
+        for (const Vec3& force : free_residual_) report.residual = std::max(report.residual, force.norm());
         if (report.residual <= solver_.tolerance) break;
         if (newton) factor_at_once();
-        find_way(newton);
-        const Descent energy = energy_along_way();
+        find_direction(newton);
+        const Descent energy = energy_along_direction();
         const double far = lowest(energy);
-        go_along_way(far);
+        go_along_direction(far);
         double power = 1;
         report.energy_change = 0;
         for (const double coefficient : energy) report.energy_change += coefficient * (power *= far);

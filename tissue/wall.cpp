@@ -52,20 +52,20 @@ Problem problem_with_triangles(const Surface& surface) {
 }
 
 Problem problem_with_edges(const Surface& surface) {
-    std::set<std::array<int, 2>> ways;
+    std::set<std::array<int, 2>> edges;
     std::map<std::array<int, 2>, int> uses;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const int from = surface.triangles[t][k], to = surface.triangles[t][(k + 1) % 3];
             if (++uses[{std::min(from, to), std::max(from, to)}] > 2)
                 return name(t) + " has an edge of more than two triangles, a surface has at most two";
-            if (!ways.insert({from, to}).second)
+            if (!edges.insert({from, to}).second)
                 return name(t) + " faces the other way than its neighbour, turn one around";
         }
     return {};
 }
 
-// About a vertex triangles are one fan: closed, or open between two rims.
+// The triangles about a vertex must be one fan: closed, or open between two rims.
 Problem problem_with_fans(const Surface& surface) {
     std::vector<std::map<int, int>> next(
         surface.vertices.size());  // of a vertex: from which neighbour to which a triangle leads about it
@@ -89,7 +89,7 @@ Problem problem_with_fans(const Surface& surface) {
     return {};
 }
 
-// A vessel is one piece: with two, start, end and cut of it say nothing.
+// A vessel must be one piece: of two, start, end and cut say nothing.
 Problem problem_with_pieces(const Surface& surface) {
     std::vector<int> piece(surface.vertices.size());
     std::iota(piece.begin(), piece.end(), 0);
@@ -109,8 +109,8 @@ Problem problem_with_pieces(const Surface& surface) {
     return {};
 }
 
-// Mean of the normals of a vertex's triangles by their angles there, as long as it takes to be 1 above them in the
-// mean.
+// For each vertex the mean of its triangles' normals by their angles there, as long as it takes to be 1 above them in
+// the mean.
 std::vector<Vec3> normals_of(const Surface& surface) {
     std::vector<Vec3> normals(surface.vertices.size(), Vec3::Zero());
     std::vector<double> above(normals.size()), angles(normals.size());
@@ -132,8 +132,8 @@ std::vector<Vec3> normals_of(const Surface& surface) {
     return normals;
 }
 
-// Of a prism over corners in the order of their numbers: diagonals lead down from the lower one, so that neighbours
-// agree.
+// Adds the tetrahedra of a prism, over corners in the order of their numbers: diagonals lead down from the lower one,
+// so that neighbours agree.
 void add_prism(Mesh& mesh, Triangle corners, int layers, int below) {
     const bool even = (corners[0] < corners[1]) + (corners[1] < corners[2]) + (corners[2] < corners[0]) == 2;
     std::sort(corners.begin(), corners.end());
@@ -147,18 +147,18 @@ void add_prism(Mesh& mesh, Triangle corners, int layers, int below) {
     mesh.cells.push_back(static_cast<int>(mesh.tetrahedra.size()));
 }
 
-// Outside, inside, and what rises from rims, with the same diagonals.
+// Adds the faces outside, inside and on what rises from rims, with the same diagonals.
 void add_faces(Mesh& mesh, const Surface& surface, int through) {
     const int layers = through + 1;
-    std::set<std::array<int, 2>> ways;
+    std::set<std::array<int, 2>> edges;
     for (const Triangle& t : surface.triangles) {
         mesh.faces.push_back(
             {{t[0] * layers + through, t[1] * layers + through, t[2] * layers + through}, Side::outer});
         mesh.faces.push_back({{t[0] * layers, t[2] * layers, t[1] * layers}, Side::inner});
-        for (std::size_t k = 0; k < 3; ++k) ways.insert({t[k], t[(k + 1) % 3]});
+        for (std::size_t k = 0; k < 3; ++k) edges.insert({t[k], t[(k + 1) % 3]});
     }
-    for (const auto& [from, to] : ways) {
-        if (ways.contains({to, from})) continue;
+    for (const auto& [from, to] : edges) {
+        if (edges.contains({to, from})) continue;
         for (int t = 0; t < through; ++t) {
             const int a = from * layers + t, b = to * layers + t;
             mesh.faces.push_back({{a, b, from < to ? b + 1 : a + 1}, Side::cut});
@@ -209,7 +209,8 @@ Wall make_wall(std::span<const Vec3> vertices, std::span<const Triangle> triangl
             mesh.nodes.push_back(vertices[v] - def.thickness * (def.through - t) / def.through * normals[v]);
     for (const Triangle& triangle : triangles)
         for (int t = 0; t < def.through; ++t) add_prism(mesh, triangle, layers, t);
-    // Above a hundredth of what it would be over a flat triangle: thinner ones would be stiff beyond measure.
+    // Each tetrahedron must have a hundredth of what it would have over a flat triangle: thinner ones would be stiff
+    // beyond measure.
     constexpr double least = 0.01;
     for (std::size_t k = 0; k < mesh.tetrahedra.size(); ++k) {
         const std::size_t t = k / (3 * static_cast<std::size_t>(def.through));

@@ -1,4 +1,8 @@
 // Walls against each other and themselves.
+//
+// Method: node to surface penalty contact with averaged normals (Yang, Laursen and Meng 2005). Nodes are sorted into a
+// uniform grid; each triangle looks at the nodes in the cells near it, and each node keeps its nearest triangle. Cost:
+// linear in nodes and triangles that are near each other.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
