@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
-#include <sstream>
+
+#include "assets/formats.hpp"
+#include "assets/slivers.hpp"
+#include "assets/text.hpp"
 
 namespace assets {
 
@@ -27,8 +27,10 @@ std::vector<Triangle> Mesh::soup() const {
 }
 
 double volume(const Mesh& mesh) {
+    if (mesh.vertices.empty()) return 0;
+    const Vec3& origin = mesh.vertices.front();  // near, so that nothing is lost where the mesh lies far away
     double six = 0;
-    for (const Triangle& t : mesh.soup()) six += t.a.dot(t.b.cross(t.c));
+    for (const Triangle& t : mesh.soup()) six += (t.a - origin).dot((t.b - origin).cross(t.c - origin));
     return six / 6;
 }
 
@@ -54,40 +56,30 @@ double filled_volume(const Mesh& mesh, std::map<int, int> next) {
 struct Reader {
     const std::filesystem::path& file;
 
-    [[noreturn]] void fail(const std::string& what) const { throw AssetError(file.string() + ": error: " + what); }
+    [[noreturn]] void fail(const std::string& what) const { assets::fail(file, what); }
 
     void check_file() const {
         std::error_code ignored;
         if (!std::filesystem::exists(file, ignored)) fail("no such file");
         if (std::filesystem::is_directory(file, ignored)) fail("is a directory, a .obj, .ply or .stl file is needed");
         if (!std::filesystem::is_regular_file(file, ignored)) fail("is no file, a .obj, .ply or .stl file is needed");
-        std::string type = file.extension().string();
-        std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
+        const std::string type = ending_of(file);
         if (type != ".obj" && type != ".ply" && type != ".stl")
             fail("'" + type + "' is not a known kind of mesh, .obj, .ply or .stl is needed");
-        if (type == ".ply") check_ply_header();
     }
 
-    // assimp 5.2 runs for ever on a header that does not end or that promises more elements than there are.
-    void check_ply_header() const {
-        const auto size = std::filesystem::file_size(file);
-        std::ifstream in(file, std::ios::binary);
-        std::string line;
-        while (std::getline(in, line)) {
-            std::istringstream words(line);
-            std::string key, what;
-            words >> key;
-            if (key == "end_header") return;
-            double count = 0;
-            if (key == "element" && !(words >> what >> count && count <= static_cast<double>(size)))
-                fail("says '" + line.substr(0, 60) + "', more than the file can hold");
-        }
-        fail("has no 'end_header', it is cut off or not a .ply file");
+    // What is fit for assimp.
+    std::string readable() const {
+        const std::string type = ending_of(file);
+        if (type == ".stl") return readable_stl(bytes_of(file), file);
+        return type == ".ply" ? readable_ply(bytes_of(file), file) : bytes_of(file);
     }
 
     Mesh read() const {
         Assimp::Importer importer;
-        const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+        const std::string bytes = readable();
+        const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate,
+                                                           ending_of(file).substr(1).c_str());
         if (!scene) {
             std::string why = importer.GetErrorString();
             std::replace(why.begin(), why.end(), '\n', ' ');
@@ -120,10 +112,13 @@ struct Reader {
 
     static std::string name(std::size_t triangle) { return "triangle " + std::to_string(triangle + 1); }
 
-    void check_size(const Mesh& mesh) const {
+    static double size_of(const Mesh& mesh) {
         sim::geometry::Box box;
         for (const Vec3& p : mesh.vertices) box.include(p);
-        const double size = (box.high - box.low).maxCoeff();
+        return (box.high - box.low).maxCoeff();
+    }
+
+    void check_size(double size) const {
         const std::string across = "is " + std::to_string(size * 1e3) + " mm across, ";
         if (size > 1) fail(across + "at most 1000 mm is right; is it written in mm?");
         if (size < 0.1e-3) fail(across + "at least 0.1 mm is right; is it written in mm?");
@@ -131,15 +126,7 @@ struct Reader {
 
     void check_triangles(const Mesh& mesh) const {
         std::set<std::array<int, 3>> seen;
-        const auto soup = mesh.soup();
-        for (std::size_t i = 0; i < soup.size(); ++i) {
-            const auto& [a, b, c] = soup[i];
-            // Corners come as float: a height below their rounding is no height.
-            const double edge = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-            const double largest =
-                std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-            const double rounding = std::numeric_limits<float>::epsilon() * largest;
-            if ((b - a).cross(c - a).norm() <= edge * rounding) fail(name(i) + " has no area, remove it");
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             auto corners = mesh.triangles[i];
             std::sort(corners.begin(), corners.end());
             if (!seen.insert(corners).second) fail(name(i) + " is there twice, remove one");
@@ -163,14 +150,26 @@ struct Reader {
         return next;
     }
 
+    // By a share of the mesh's own size, so that it is the same mesh wherever it lies: far beyond the rounding of its
+    // corners, which come as float, and far below what a thread feels.
+    void mend_slivers(Mesh& mesh) const {
+        constexpr double share = 1e-5;
+        const double tolerance = share * size_of(mesh);
+        const int slivers = take_out_slivers(mesh, tolerance);
+        if (mesh.triangles.empty()) fail("has no triangle with an area");
+        if (slivers > 0)
+            mesh.mended.push_back("lost " + std::to_string(slivers) + (slivers == 1 ? " sliver" : " slivers") +
+                                  ", triangles that have no area");
+    }
+
     // A sheet that is all but flat has no inside.
-    void check_facing(const Mesh& mesh, const std::map<int, int>& rims) const {
+    bool faces_inwards(const Mesh& mesh, const std::map<int, int>& rims) const {
         constexpr double flat =
             0.02;  // of what a sphere of that area holds; a tube a hundred times as long as wide holds 0.05
         double area = 0;
         for (const Triangle& t : mesh.soup()) area += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
         const double sphere = area * std::sqrt(area / (36 * std::numbers::pi));
-        if (filled_volume(mesh, rims) < -flat * sphere) fail("faces inwards everywhere, turn its triangles around");
+        return filled_volume(mesh, rims) < -flat * sphere;
     }
 };
 
@@ -180,9 +179,13 @@ Mesh load_mesh(const std::filesystem::path& file) {
     const Reader reader{file};
     reader.check_file();
     Mesh mesh = reader.read();
-    reader.check_size(mesh);
+    reader.check_size(Reader::size_of(mesh));
+    reader.mend_slivers(mesh);
     reader.check_triangles(mesh);
-    reader.check_facing(mesh, reader.check_edges(mesh));
+    if (reader.faces_inwards(mesh, reader.check_edges(mesh))) {
+        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+        mesh.mended.push_back("faced inwards everywhere: its triangles were turned around");
+    }
     return mesh;
 }
 

@@ -12,10 +12,13 @@ namespace assets {
 
 using sim::geometry::Vec3;
 
+/// A surface of triangles.
 struct Mesh {
-    std::vector<Vec3> vertices;                 ///< [m]
-    std::vector<std::array<int, 3>> triangles;  ///< Counter-clockwise seen from outside.
+    std::vector<Vec3> vertices;                 ///< Corners [m].
+    std::vector<std::array<int, 3>> triangles;  ///< Numbers of their corners, counter-clockwise seen from outside.
+    std::vector<std::string> mended = {};  ///< What was put right when it was read, a phrase each: "lost 1 sliver".
 
+    /// The triangles by their corners' places [m].
     std::vector<sim::geometry::Triangle> soup() const;
 };
 
@@ -24,12 +27,13 @@ struct AssetError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Reads a triangle mesh (.obj, .ply, .stl) written in mm; polygons are split, equal corners become one vertex, texture
-/// and the like are ignored. It may be open (a board) or closed (a vessel).
-/// Throws AssetError: missing, a directory, not readable as a mesh, no triangles, a corner that is not finite, larger
-/// than 1 m or smaller than 0.1 mm, a corner that does not exist, a triangle without area or given twice, an edge of
-/// three triangles, neighbours that face opposite ways, one that faces inwards with each rim drawn together (sheets may
-/// face either way). Cost: n log n.
+/// Reads a triangle mesh (.obj, .ply, .stl, in any case) written in mm; polygons are split, equal corners become one
+/// vertex, texture and the like are ignored. It may be open (a board) or closed (a vessel).
+/// Mended, and told in Mesh::mended: one that faces inwards, with each rim drawn together, is turned around (sheets may
+/// face either way); slivers, triangles no higher than 1e-5 of the mesh's size, are taken out.
+/// Throws AssetError: missing, a directory, not readable as a mesh, cut off, no triangle with an area, a corner that is
+/// not finite, larger than 1 m or smaller than 0.1 mm, a corner that does not exist, a triangle given twice, an edge of
+/// three triangles, neighbours that face opposite ways. Cost: n log n.
 Mesh load_mesh(const std::filesystem::path& file);
 
 /// Closed tube (outer and inner wall, end rings) along x, centred at the origin. [m]

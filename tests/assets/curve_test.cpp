@@ -60,7 +60,7 @@ TEST(LoadCurve, ReadsLinesOfObjAndVerticesOfPly) {
 // Every way a file can be wrong names the line and says what would be right.
 TEST(LoadCurve, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(fault(""), ": error: holds no vertices; expected one 'x y z' in mm a line");
-    EXPECT_EQ(fault("0 0 0\n"), ":1: error: a component of one vertex; expected at least two");
+    EXPECT_EQ(fault("0 0 0\n"), ":1: error: a curve of one vertex; expected at least two");
     EXPECT_EQ(fault("0 0 0\n1 nan 0\n"), ":2:3: error: expected a finite coordinate within 1e9 mm, found 'nan'");
     EXPECT_EQ(fault("0 0 0\n1 0 1e999\n"), ":2:5: error: expected a finite coordinate within 1e9 mm, found '1e999'");
     EXPECT_EQ(fault("0 0 0\n1 0x 0\n"), ":2:3: error: expected a number, found '0x'; a line is 'x y z' in mm");
@@ -71,7 +71,7 @@ TEST(LoadCurve, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(fault(std::string(100000, '1')),
               ":1: error: a line of more than 4000 characters is not a vertex 'x y z'");
     EXPECT_EQ(fault("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "face.obj"),
-              ": error: holds faces, not lines; expected a curve");
+              ":4: error: holds faces, not lines; expected a curve");
     EXPECT_NE(fault("\x01\x02\x03", "junk.ply").find(": error: "), std::string::npos);
     EXPECT_THROW(assets::load_curve(testing::TempDir()), assets::AssetError);
     EXPECT_THROW(assets::load_curve("no/such/file.xyz"), assets::AssetError);
