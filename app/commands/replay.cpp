@@ -46,12 +46,15 @@ Comparison play(Session& session, const Recording& recording, bool to_the_end) {
     return comparison;
 }
 
-// A session that came to its end stored the hash of its last tick, on which all before have had their influence; one
-// that was broken off may lack its last.
+// A session that came to its end stored the hash of its last tick, on which all before have had their influence, and
+// every one between; one that was broken off may lack its last.
 bool all_hashes_are_there(const Recording& recording, std::size_t compared) {
     const auto& hashes = recording.hashes;
-    if (compared < hashes.size() || compared + 1 < recording.ticks() / scenarios::recording::hash_period) return false;
-    return !recording.finished || (!hashes.empty() && hashes.back().tick == recording.ticks());
+    const auto period = scenarios::recording::hash_period;
+    if (compared < hashes.size()) return false;
+    if (!recording.finished) return compared + 1 >= recording.ticks() / period;
+    const bool has_last = !hashes.empty() && hashes.back().tick == recording.ticks();
+    return has_last && compared >= (recording.ticks() + period - 1) / period;
 }
 
 std::string said(const scenarios::drill::ScoreItem& item) {
@@ -65,10 +68,11 @@ std::string said(const scenarios::world::Event& event) {
            std::to_string(event.t_s) + " s";
 }
 
-// Or a recording could be given another verdict or course: the states say nothing of what was asked.
+// The states say nothing of what was asked: without this a recording could be given another verdict or course. Of a
+// session that was broken off the last of what was found need not be stored.
 template <class All>
-void compare(const std::string& file, const char* what, const All& stored, const All& found) {
-    for (std::size_t i = 0; i < std::max(stored.size(), found.size()); ++i) {
+void compare(const std::string& file, const char* what, const All& stored, const All& found, bool to_the_end = true) {
+    for (std::size_t i = 0; i < (to_the_end ? std::max(stored.size(), found.size()) : stored.size()); ++i) {
         const auto at = [i](const All& all) { return i < all.size() ? said(all[i]) : "nothing"; };
         const bool is_same = i < stored.size() && i < found.size() && stored[i] == found[i];
         if (!is_same)
@@ -96,10 +100,8 @@ int replay_command(const ReplayOptions& options) {
     if (options.verify && !all_hashes_are_there(recording, compared))
         throw InputFault(options.recording + ": error: damaged recording, only " + std::to_string(compared) +
                          " of its state hashes belong to its " + std::to_string(recording.ticks()) + " ticks");
-    if (options.verify && recording.finished) {
-        compare(options.recording, "scores", recording.scores, result.items);
-        compare(options.recording, "events", recording.events, result.events);
-    }
+    if (options.verify && recording.finished) compare(options.recording, "scores", recording.scores, result.items);
+    if (options.verify) compare(options.recording, "events", recording.events, result.events, recording.finished);
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared
                   << (recording.finished ? " stored hashes equal, and all scores and events\n"

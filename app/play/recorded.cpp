@@ -66,8 +66,10 @@ void find_meshes(Drill& drill, const std::string& file) {
 
 void check_meshes(const Recording& recording, const Drill& drill, const std::string& file) {
     const std::vector<Asset> now = assets_of(drill.world);
+    const std::vector<Asset>& then = recording.head.assets;
+    if (then.size() > now.size()) refuse(file, "notes more meshes than the drill in it names");
     for (std::size_t i = 0; i < now.size(); ++i)
-        if (i >= recording.head.assets.size() || recording.head.assets[i].sha256 != now[i].sha256)
+        if (i >= then.size() || then[i].sha256 != now[i].sha256)
             refuse(file,
                    "was recorded with another mesh than " + now[i].name + " now is, its SHA-256 is " + now[i].sha256);
 }

@@ -11,11 +11,15 @@
 // errors, and because values are bound bit for bit.
 namespace scenarios::recording {
 
+/// What SQLite says of a file.
 struct DatabaseError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 /// An open database file. Throws DatabaseError.
+///
+/// Reading never writes to the file nor beside it, and reads what is left of one that was cut off. Where a kill in the
+/// middle of a commit left a journal, that is taken back in a copy, which goes with the object.
 class Database {
   public:
     enum Mode { create, read };
@@ -25,11 +29,19 @@ class Database {
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
+    /// SQLite's own, for what this class has no call for.
     sqlite3* handle() const { return handle_; }
+    /// Runs statements that give no rows.
     void run(const std::string& sql);
 
   private:
+    void open(const std::filesystem::path& file, int flags);
+    void close();
+    bool needs_rollback();
+    void open_copy(const std::filesystem::path& file);
+
     sqlite3* handle_ = nullptr;
+    std::filesystem::path copy_;  ///< Folder of the copy that is read instead; empty: none.
 };
 
 /// One prepared statement. Columns and parameters count from 0. Throws DatabaseError.
@@ -40,18 +52,20 @@ class Statement {
     Statement(const Statement&) = delete;
     Statement& operator=(const Statement&) = delete;
 
+    /// Values for the parameters, in order.
     template <typename... Values>
     Statement& bind(const Values&... values) {
         int place = 0;
         (bind_one(++place, values), ...);
         return *this;
     }
-    bool step();  ///< Whether there is a row to read.
+    /// Goes to the next row; false after the last.
+    bool step();
 
-    std::string text(int column) const;
-    double real(int column) const { return sqlite3_column_double(handle_, column); }
-    std::int64_t integer(int column) const { return sqlite3_column_int64(handle_, column); }
-    std::vector<char> blob(int column) const;
+    std::string text(int column) const;                                               ///< Of this row; "" for NULL.
+    double real(int column) const { return sqlite3_column_double(handle_, column); }  ///< 0 for no number.
+    std::int64_t integer(int column) const { return sqlite3_column_int64(handle_, column); }  ///< 0 for no number.
+    std::vector<char> blob(int column) const;                                                 ///< Empty for NULL.
 
   private:
     void bind_one(int place, const std::string& value);
@@ -65,5 +79,8 @@ class Statement {
 
 /// Whether the file's first bytes say that it is a recording of any version.
 bool is_recording(const std::filesystem::path& file);
+
+/// How many bytes the file is shorter than its first page says [bytes]; 0: it is whole. Of a recording.
+std::uintmax_t missing_bytes(const std::filesystem::path& file);
 
 }  // namespace scenarios::recording

@@ -14,7 +14,8 @@ constexpr std::size_t numbers_per_tool = 8;          ///< x, y, z [m], qw, qx, q
 constexpr std::size_t most_ticks = 65536;  ///< In a chunk; a count beyond is damage, not a request for memory.
 constexpr std::size_t most_tools = 16;     ///< For the same reason.
 
-/// head: one row. chunk: inputs of `ticks` ticks from `first_tick`, packed as below. finished: a row once complete.
+/// What a recording is made of. head: one row. chunk: inputs of `ticks` ticks from `first_tick`, packed as pack() does.
+/// finished: a row once complete.
 constexpr const char* tables = R"(
 CREATE TABLE head(drill_text TEXT NOT NULL, drill_name TEXT NOT NULL, program_version TEXT NOT NULL, tick_s REAL NOT NULL);
 CREATE TABLE instrument(place INTEGER PRIMARY KEY, name TEXT NOT NULL);

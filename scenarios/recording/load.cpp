@@ -31,11 +31,16 @@ class Loader {
     Recording load() {
         check_version();
         read_head();
+        if (const auto missing = missing_bytes(file_); missing > 0)
+            recording_.damage.push_back("the file lacks its last " + std::to_string(missing) + " bytes");
         each("asset", "SELECT name, sha256 FROM asset", [&](Statement& row) {
             recording_.head.assets.push_back({row.text(0), row.text(1)});
         });
         std::optional<std::int64_t> ticks_at_finish;
-        each("finished", "SELECT ticks FROM finished", [&](Statement& row) { ticks_at_finish = row.integer(0); });
+        each("finished", "SELECT ticks FROM finished", [&](Statement& row) {
+            if (ticks_at_finish) recording_.damage.push_back("it is marked as finished more than once");
+            ticks_at_finish = row.integer(0);
+        });
         each("chunk", "SELECT first_tick, ticks, inputs FROM chunk ORDER BY first_tick",
              [&](Statement& row) { add_chunk(row); });
         each("state_hash", "SELECT tick, hash FROM state_hash ORDER BY tick", [&](Statement& row) { add_hash(row); });
@@ -65,6 +70,7 @@ class Loader {
         Statement row(database_, "SELECT drill_text, drill_name, program_version, tick_s FROM head");
         if (!row.step()) fail(file_, "holds no drill");
         recording_.head = {row.text(0), row.text(1), row.text(2), row.real(3), {}, {}};
+        if (row.step()) fail(file_, "holds more than one drill");
         Statement names(database_, "SELECT name FROM instrument ORDER BY place");
         while (names.step()) recording_.head.instruments.push_back(names.text(0));
         const std::size_t tools = recording_.head.instruments.size();

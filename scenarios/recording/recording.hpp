@@ -22,7 +22,8 @@ struct RecordingError : std::runtime_error {
 
 /// A file that the session depends on, and what was in it.
 struct Asset {
-    std::string name, sha256;
+    std::string name;    ///< Path, as the drill has it.
+    std::string sha256;  ///< 64 hex digits.
 };
 
 /// Ticks from one stored state hash to the next; the last tick of a session has one too.
@@ -30,26 +31,29 @@ constexpr std::uint64_t hash_period = 100;
 
 /// What a session is played with.
 struct Head {
-    std::string drill_text;  ///< The drill file itself, byte for byte.
-    std::string drill_name;  ///< What it was called, for messages.
-    std::string program_version;
-    double tick_s = 1e-3;
+    std::string drill_text;                ///< The drill file itself, byte for byte.
+    std::string drill_name;                ///< What it was called, for messages.
+    std::string program_version;           ///< Of the program that recorded it.
+    double tick_s = 1e-3;                  ///< Length of a tick [s].
     std::vector<std::string> instruments;  ///< Names, in the drill's order.
-    std::vector<Asset> assets;
+    std::vector<Asset> assets;             ///< Meshes that it names.
 };
 
 /// State of the world after a tick.
 struct TickHash {
-    std::uint64_t tick, hash;
+    std::uint64_t tick;  ///< From 1: after so many ticks.
+    std::uint64_t hash;  ///< World::hash() then.
 };
 
 /// Seconds of a clock that never goes back. Decides only when a recorder writes, never what.
 using Clock = double (*)();
+
+/// The machine's own [s].
 double wall_clock();
 
 /// Writes a recording while a session runs. Whatever was added is in the file after at most 0.5 s of simulated time and
-/// at most 0.5 s of wall clock between two add_tick calls; a kill at any moment loses no more. After
-/// a kill in the middle of a write "FILE-journal" lies beside it: the next to open the file takes that write back.
+/// at most 0.5 s of wall clock between two add_tick calls; a kill at any moment loses no more. After a kill in the
+/// middle of a write "FILE-journal" lies beside it: whoever reads the file reads it without that write.
 class Recorder {
   public:
     /// Opens `file`. An earlier recording there is replaced; anything else is left alone.
@@ -60,11 +64,16 @@ class Recorder {
     Recorder& operator=(Recorder&&) noexcept;
 
     // Each throws std::runtime_error, which says how much is safe, when the file cannot be written (disk full).
-    void add_tick(std::span<const instruments::ToolInput> tools);  ///< One per instrument.
+    /// The inputs of the next tick, one per instrument.
+    void add_tick(std::span<const instruments::ToolInput> tools);
+    /// The state's hash after so many ticks; one of the same tick is replaced.
     void add_hash(std::uint64_t tick, std::uint64_t hash);
+    /// What happened, in order.
     void add_event(const world::Event& event);
+    /// The score so far; it replaces the one before, and is on disk when this returns.
     void set_scores(const std::vector<drill::ScoreItem>& items);
-    void finish();  ///< Writes the rest and marks the session complete.
+    /// Writes the rest and marks the session complete.
+    void finish();
 
   private:
     struct Impl;
@@ -73,16 +82,17 @@ class Recorder {
 
 /// What a recording holds, or what could be saved of it.
 struct Recording {
-    Head head;
-    std::vector<instruments::ToolInput>
-        inputs;                    ///< Tick by tick, one per instrument; whole ticks from 0 without a gap.
-    std::vector<TickHash> hashes;  ///< In order of ticks.
-    std::vector<world::Event> events;
-    std::vector<drill::ScoreItem> scores;
+    Head head;                                   ///< What the session was played with.
+    std::vector<instruments::ToolInput> inputs;  ///< Whole ticks from the first without a gap, one per instrument each.
+    std::vector<TickHash> hashes;                ///< In order of ticks.
+    std::vector<world::Event> events;            ///< In the order in which they happened.
+    std::vector<drill::ScoreItem> scores;        ///< The last that were set.
     bool finished = false;            ///< The session ended by itself; false after a kill, which is no damage.
     std::vector<std::string> damage;  ///< What is missing or damaged, a phrase each; empty for a good file.
 
+    /// How many ticks there are inputs of.
     std::uint64_t ticks() const { return head.instruments.empty() ? 0 : inputs.size() / head.instruments.size(); }
+    /// The inputs of tick `t`, from 0, one per instrument.
     std::span<const instruments::ToolInput> tick(std::uint64_t t) const {
         return std::span(inputs).subspan(t * head.instruments.size(), head.instruments.size());
     }
@@ -90,8 +100,8 @@ struct Recording {
     std::optional<std::string> fault(const std::string& file) const;
 };
 
-/// Reads a recording, also a damaged one (see `damage`). Throws RecordingError when not even its drill can be read:
-/// missing, a directory, not a recording, another version.
+/// Reads a recording, also a damaged one (see `damage`), and writes neither to it nor beside it. Throws RecordingError
+/// when not even its drill can be read: missing, a directory, not a recording, another version.
 Recording load_recording(const std::filesystem::path& file);
 
 }  // namespace scenarios::recording

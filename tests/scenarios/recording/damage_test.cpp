@@ -154,3 +154,78 @@ TEST(DamagedRecording, CutOrOverwrittenFilesGiveAPrefixOrARefusal) {
     }
     EXPECT_EQ(noticed, pages);
 }
+
+// A copy that stopped early (a full stick, a broken download) lost its end and nothing else. Cut anywhere behind the
+// drill, or padded with zeros to its length, the ticks before are read, and what is missing is said.
+TEST(DamagedRecording, ACutOffFileKeepsWhatIsBefore) {
+    const Folder folder;
+    session::record(folder / "good", 8000);
+    const std::string good = contents(folder / "good");
+    constexpr std::size_t page = 4096;
+    const std::size_t pages = good.size() / page;
+    ASSERT_GT(pages, 20u);
+    std::uint64_t most = 0;
+    for (const std::size_t lost : {1ul, 100ul, page, page + 1, 2 * page, 5 * page, pages / 2 * page}) {
+        SCOPED_TRACE(lost);
+        std::uint64_t ticks[2];
+        for (const bool padded : {false, true}) {
+            std::string cut = good.substr(0, good.size() - lost);
+            if (padded) cut.resize(good.size(), '\0');
+            write(folder / "a", cut);
+            const Recording r = load_recording(folder / "a");
+            expect_prefix(r);
+            ticks[padded] = r.ticks();
+            ASSERT_TRUE(r.fault("a"));
+            EXPECT_EQ(
+                r.fault("a")->find("the file lacks its last " + std::to_string(lost) + " bytes") != std::string::npos,
+                !padded)
+                << *r.fault("a");
+            EXPECT_EQ(contents(folder / "a"), cut) << "it was only to be read";
+        }
+        EXPECT_EQ(ticks[0], ticks[1]);
+        most = std::max(most, ticks[0]);
+        // Inputs come in order, so that a share of the file holds about as great a share of them, a chunk or two less.
+        EXPECT_GE(ticks[0] + 1500, 8000 * (good.size() - lost) / good.size());
+    }
+    EXPECT_GE(most, 7000u);
+}
+
+// Whoever looks at a recording must leave it as it is: its sum may have been noted, its disk may be read-only. After a
+// kill in the middle of a commit it is read as it was before that, and its journal stays.
+TEST(DamagedRecording, ReadingWritesNothing) {
+    const Folder folder;
+    const auto file = folder / "a", journal = folder / "a-journal";
+    session::record(file, 2000, false);
+    const std::string before = contents(file);
+    std::filesystem::create_directory(folder / "kept");
+    {
+        sqlite3* database = nullptr;
+        ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+        // A cache of one page brings the change to the file before it is committed, as a large one does by itself.
+        ASSERT_EQ(sqlite3_exec(database,
+                               "PRAGMA cache_size = 1; PRAGMA cache_spill = 1; BEGIN; UPDATE chunk SET inputs = "
+                               "zeroblob(9000); DELETE FROM state_hash;",
+                               nullptr, nullptr, nullptr),
+                  SQLITE_OK);
+        for (const char* ending : {"a", "a-journal"})
+            std::filesystem::copy_file(folder / ending, folder / ("kept/" + std::string(ending)));
+        sqlite3_close(database);
+    }
+    const auto killed = folder / "kept/a";
+    const std::string half_written = contents(killed), killed_journal = contents(folder / "kept/a-journal");
+    ASSERT_NE(half_written, before) << "nothing was spilled";
+    const Recording r = load_recording(killed);
+    EXPECT_EQ(r.ticks(), 2000u);
+    EXPECT_EQ(r.damage, std::vector<std::string>());
+    EXPECT_EQ(r.hashes.size(), 20u);
+    EXPECT_EQ(contents(killed), half_written);
+    EXPECT_EQ(contents(folder / "kept/a-journal"), killed_journal);
+    EXPECT_FALSE(std::filesystem::exists(journal));
+    const auto written = std::filesystem::last_write_time(file);
+    load_recording(file);
+    EXPECT_EQ(contents(file), before);
+    EXPECT_EQ(std::filesystem::last_write_time(file), written);
+    int entries = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder / "kept")) ++entries;
+    EXPECT_EQ(entries, 2);
+}
