@@ -8,49 +8,49 @@ using namespace scenarios::drill;
 
 namespace {
 
-Shape quantity(double low, double high, const std::string& unit = "") {
+Schema quantity(double low, double high, const std::string& unit = "") {
     return {.types = number, .low = low, .high = high, .unit = unit};
 }
-Shape count(double low, double high) {
+Schema count(double low, double high) {
     return {.types = integer, .low = low, .high = high};
 }
-Shape words() {
+Schema words() {
     return {.types = text};
 }
-Shape word(const std::string& pattern, const std::string& in_words) {
+Schema word(const std::string& pattern, const std::string& in_words) {
     return {.types = text, .pattern = pattern, .pattern_words = in_words};
 }
-Shape choice(std::vector<json> choices) {
+Schema choice(std::vector<json> choices) {
     return {.types = text, .choices = std::move(choices)};
 }
-Shape list(std::size_t min_items, std::size_t max_items, Shape item) {
+Schema list(std::size_t min_items, std::size_t max_items, Schema item) {
     return {.types = array, .min_items = min_items, .max_items = max_items, .items = {std::move(item)}};
 }
-Shape group(std::vector<Key> keys) {
+Schema group(std::vector<Key> keys) {
     return {.types = object, .keys = std::move(keys)};
 }
 
-Shape millimetres() {
+Schema millimetres() {
     return quantity(-10000, 10000, "mm");
 }
-Shape seconds() {
+Schema seconds() {
     return quantity(0, 1000, "s");
 }
-Shape point() {
+Schema point() {
     return list(3, 3, millimetres());
 }
-Shape tool() {
+Schema tool() {
     return count(-1, 9);
 }
 
-Shape node() {
-    Shape shape = word("^(first|last|[0-9]{1,2}%)$", "a number, \"first\", \"last\" or a share such as \"50%\"");
-    shape.types |= integer;
-    shape.low = 0, shape.high = 1e5;
-    return shape;
+Schema node() {
+    Schema schema = word("^(first|last|[0-9]{1,2}%)$", "a number, \"first\", \"last\" or a share such as \"50%\"");
+    schema.types |= integer;
+    schema.low = 0, schema.high = 1e5;
+    return schema;
 }
 
-Shape start() {
+Schema start() {
     return group({{"shape", choice({"straight", "overhand", "tied", "curve", "coil", "folded", "points"}), true},
                   {"throws", word("^[1-4]([=x][1-4])*$", "throws such as \"1=1\"")},
                   {"file", words()},
@@ -63,7 +63,7 @@ Shape start() {
                   {"points_mm", list(2, 2000, point())}});
 }
 
-Shape thread() {
+Schema thread() {
     return group({{"model", choice({"ftl", "elastic"}), false, "ftl"},
                   {"radius_mm", quantity(1e-4, 10, "mm"), false, 0.0425},
                   {"friction", quantity(0, 10), false, 0.15},
@@ -79,15 +79,15 @@ Shape thread() {
 }
 
 std::vector<Key> way_keys() {
-    const Shape key = group({{"t_s", seconds(), true},
-                             {"by_mm", point(), false, json{0, 0, 0}},
-                             {"turn_deg", quantity(-1e5, 1e5, "degrees"), false, 0}});
+    const Schema key = group({{"t_s", seconds(), true},
+                              {"by_mm", point(), false, json{0, 0, 0}},
+                              {"turn_deg", quantity(-1e5, 1e5, "degrees"), false, 0}});
     return {{"tool", tool(), false, -1},
             {"axis", list(3, 3, quantity(-1, 1)), false, json{1, 0, 0}},
             {"keys", list(0, 1000, key), false, json::array()}};
 }
 
-Shape hold() {
+Schema hold() {
     std::vector<Key> keys = way_keys();
     keys.push_back({"nodes", list(1, 50, node()), true});
     keys.push_back({"from_s", seconds(), false, 0});
@@ -96,7 +96,7 @@ Shape hold() {
     return group(std::move(keys));
 }
 
-Shape tool_part() {
+Schema tool_part() {
     std::vector<Key> keys = way_keys();
     keys.push_back({"a_mm", point(), true});
     keys.push_back({"b_mm", point(), true});
@@ -104,7 +104,7 @@ Shape tool_part() {
     return group(std::move(keys));
 }
 
-Shape tube() {
+Schema tube() {
     return group({{"diameter_mm", quantity(1e-3, 100, "mm"), true},
                   {"wall_mm", quantity(1e-4, 50, "mm"), true},
                   {"length_mm", quantity(1e-3, 1000, "mm"), true},
@@ -113,7 +113,7 @@ Shape tube() {
                   {"centre_mm", point(), false, json{0, 0, 0}}});
 }
 
-Shape fault() {
+Schema fault() {
     return group({{"input", word("^[a-z][a-z0-9_-]{0,39}$", "\"holds\", \"tools\" or an instrument"), true},
                   {"is",
                    choice({"nan", "infinite", "zero_rotation", "long_rotation", "flipped_rotation", "frozen", "leap",
@@ -131,31 +131,31 @@ std::vector<json> event_names() {
     return names;
 }
 
-Shape condition() {
+Schema condition() {
     std::vector<json> names;
     for (const ConditionKind& kind : condition_kinds()) names.emplace_back(kind.name);
-    Shape shape = group({{"is", choice(std::move(names)), true},
-                         {"at_most", quantity(-1e12, 1e12)},
-                         {"at_least", quantity(-1e12, 1e12)},
-                         {"from_s", seconds(), false, 0},
-                         {"to_s", seconds()},
-                         {"node", node()},
-                         {"part", count(0, 99), false, 0},
-                         {"vessel", count(-1, 15), false, -1},
-                         {"factor", quantity(1e-6, 1e6), false, 1},
-                         {"knot", words()},
-                         {"event", choice(event_names())},
-                         {"model", choice({"ftl", "elastic"})},
-                         {"known", words()},
-                         {"today", quantity(-1e12, 1e12)}});
-    shape.one_of = {"at_most", "at_least"};
-    return shape;
+    Schema schema = group({{"is", choice(std::move(names)), true},
+                           {"at_most", quantity(-1e12, 1e12)},
+                           {"at_least", quantity(-1e12, 1e12)},
+                           {"from_s", seconds(), false, 0},
+                           {"to_s", seconds()},
+                           {"node", node()},
+                           {"part", count(0, 99), false, 0},
+                           {"vessel", count(-1, 15), false, -1},
+                           {"factor", quantity(1e-6, 1e6), false, 1},
+                           {"knot", words()},
+                           {"event", choice(event_names())},
+                           {"model", choice({"ftl", "elastic"})},
+                           {"known", words()},
+                           {"today", quantity(-1e12, 1e12)}});
+    schema.one_of = {"at_most", "at_least"};
+    return schema;
 }
 
 }  // namespace
 
-const Shape& hard_case_shape() {
-    static const Shape shape = group(
+const Schema& hard_case_schema() {
+    static const Schema schema = group(
         {{"id", word("^[a-z0-9]+(-[a-z0-9]+)*$", "letters a-z, digits and '-'"), true},
          {"case", list(1, 20, word("^[ET][0-9]{1,2}$", "\"E\" or \"T\" and a number")), true},
          {"goes_wrong", words(), true},
@@ -173,7 +173,7 @@ const Shape& hard_case_shape() {
          {"tick_s", quantity(1e-5, 1, "s"), false, 1e-3},
          {"duration_s", quantity(1e-4, 1000, "s"), true},
          {"expect", list(1, 60, condition()), true}});
-    return shape;
+    return schema;
 }
 
 }  // namespace app::bench

@@ -77,10 +77,10 @@ json variants_taken_out(json& given) {
 // The scene with some of its values replaced, as JSON Merge Patch (RFC 7386) says, checked like any other.
 Scene variant_of(json value, const json& patch, const std::filesystem::path& folder, const std::string& at) {
     value.merge_patch(patch);
-    if (const auto problem = scenarios::drill::first_problem(value, hard_case_shape()))
+    if (const auto problem = scenarios::drill::first_problem(value, hard_case_schema()))
         throw Misfit{at, "makes " + problem->pointer + ": " + problem->what};
     try {
-        return scene_of(scenarios::drill::with_defaults(value, hard_case_shape()), folder);
+        return scene_of(scenarios::drill::with_defaults(value, hard_case_schema()), folder);
     } catch (const Misfit& misfit) {
         throw Misfit{at, "makes " + misfit.pointer + ": " + misfit.what};
     }
@@ -93,9 +93,9 @@ HardCase parse_hard_case(const std::string& text, const std::filesystem::path& f
     json given = parsed.value();
     try {
         const json variants = variants_taken_out(given);
-        if (const auto problem = scenarios::drill::first_problem(given, hard_case_shape()))
+        if (const auto problem = scenarios::drill::first_problem(given, hard_case_schema()))
             parsed.fail(problem->pointer, problem->what, problem->at_key);
-        const json value = scenarios::drill::with_defaults(given, hard_case_shape());
+        const json value = scenarios::drill::with_defaults(given, hard_case_schema());
         const auto folder = file.parent_path();
         HardCase hard_case{value["id"],   value["goes_wrong"],       value.value("why", ""),
                            value["case"], {scene_of(value, folder)}, {}};

@@ -37,9 +37,9 @@ void print_json(const scenarios::drill::Drill& drill) {
 std::string bands_left_out(const scenarios::drill::Drill& drill) {
     const auto given = nlohmann::json::parse(drill.filled)["bands"];
     std::string free;
-    for (const auto& key : scenarios::drill::drill_shape().keys)
+    for (const auto& key : scenarios::drill::drill_schema().keys)
         if (key.name == "bands")
-            for (const auto& band : key.shape.keys)
+            for (const auto& band : key.schema.keys)
                 if (!given.contains(band.name) || given[band.name].empty())
                     free += (free.empty() ? "" : ", ") + band.name;
     return free;

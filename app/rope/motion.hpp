@@ -24,8 +24,8 @@ struct HeldNode {
     Vec3 place_at(double t) const;  ///< [m]; t [s] while held.
 };
 
-/// Reads a motion of nodes (.csv, header "t_s,node,x_mm,y_mm,z_mm"); `node` is "first", "last" or an index below
-/// `nodes`. Rows of different nodes may be mixed. '#' starts a comment line. Ascending by node.
+/// Reads a motion of nodes (.csv as scenarios::drill::CsvReader has it, header "t_s,node,x_mm,y_mm,z_mm"); `node` is
+/// "first", "last" or an index below `nodes`. Rows of different nodes may be mixed. Ascending by node.
 /// Throws InputFault "file:line:column: error: ...": unreadable, a wrong header or number of columns, a number that is
 /// not finite or out of range, an unknown node, a node whose times do not ascend, no row at all. Cost: n log n.
 std::vector<HeldNode> load_motion(const std::filesystem::path& file, int nodes);

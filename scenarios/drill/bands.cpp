@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scenarios/drill/names.hpp"
-#include "scenarios/drill/shape.hpp"
+#include "scenarios/drill/schema.hpp"
 
 namespace scenarios::drill {
 

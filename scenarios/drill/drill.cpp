@@ -34,15 +34,15 @@ instruments::Kind kind_named(const std::string& name) {
     return name == "needle_holder" ? instruments::Kind::needle_holder : instruments::Kind::forceps;
 }
 
-/// Turns a document that fits drill_shape() into a Drill, and checks what one value says about another.
+/// Turns a document that fits drill_schema() into a Drill, and checks what one value says about another.
 class Reader {
   public:
     Reader(const JsonText& document, std::filesystem::path base) : document_(document), base_(std::move(base)) {}
 
     Drill read() {
-        if (const auto problem = first_problem(document_.value(), drill_shape()))
+        if (const auto problem = first_problem(document_.value(), drill_schema()))
             document_.fail(problem->pointer, problem->what, problem->at_key);
-        filled_ = with_defaults(document_.value(), drill_shape());
+        filled_ = with_defaults(document_.value(), drill_schema());
         drill_.title = filled_["title"];
         const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
         if (std::any_of(drill_.title.begin(), drill_.title.end(), is_control))
@@ -61,7 +61,7 @@ class Reader {
             document_.fail("/bands/time_s",
                            "the drill ends before, at time_limit_s, which is " + shown(drill_.time_limit_s) + " s");
         check_cuts();
-        drill_.filled = laid_out(in_table_order(filled_, drill_shape()));
+        drill_.filled = laid_out(in_table_order(filled_, drill_schema()));
         return drill_;
     }
 
@@ -221,9 +221,10 @@ class Reader {
         thread.break_force = entry["break_N"];
         thread.friction = entry["friction"];
         thread.friction_tool = entry["friction_tool"];
-        constexpr int usual = 300, fewest = 2;
+        constexpr int fewest = 2;
         if (!entry.contains("links"))
-            entry["links"] = std::clamp(static_cast<int>(thread.length / (2 * thread.diameter)), fewest, usual);
+            entry["links"] =
+                std::clamp(static_cast<int>(thread.length / (2 * thread.diameter)), fewest, world::ThreadDef{}.links);
         thread.links = static_cast<int>(entry["links"].get<double>());
         thread.contacts_per_tick = static_cast<int>(entry["contacts_per_tick"].get<double>());
         if (thread.contacts_per_tick > 0 && thread.model != "elastic")
@@ -401,10 +402,10 @@ Drill load_drill(const std::filesystem::path& file) {
     return drill;
 }
 
-std::string drill_schema() {
+std::string published_schema() {
     nlohmann::ordered_json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                                      {"title", "Carrel drill"}};
-    schema.update(schema_of(drill_shape()));
+    schema.update(json_schema_of(drill_schema()));
     return laid_out(schema) + "\n";
 }
 

@@ -56,6 +56,6 @@ Drill load_drill(const std::filesystem::path& file);
 Drill parse_drill(const std::string& text, const std::string& name, const std::filesystem::path& base);
 
 /// The published JSON Schema (draft 2020-12) of drill files, as committed in scenarios/drills/schema.
-std::string drill_schema();
+std::string published_schema();
 
 }  // namespace scenarios::drill

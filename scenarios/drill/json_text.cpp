@@ -1,6 +1,8 @@
 #include "scenarios/drill/json_text.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "scenarios/drill/file.hpp"
 
@@ -22,6 +24,43 @@ std::string reason(const std::string& message) {
     const auto expected = message.find("; expected", end == std::string::npos ? start : end);
     if (end != std::string::npos && expected != std::string::npos) text += message.substr(expected);
     return "not valid JSON: " + text.substr(0, 120);
+}
+
+struct Slip {
+    std::size_t at;
+    const char* what;
+};
+
+std::size_t curly_quote_in(const std::string& text, std::size_t from, std::size_t to) {
+    std::size_t first = std::string::npos;
+    for (const char* quote : {"\u2018", "\u2019", "\u201c", "\u201d", "\u201e", "\u00ab", "\u00bb"})
+        first = std::min(first, text.find(quote, from));
+    return first < to ? first : std::string::npos;
+}
+
+// What editors and other languages put into a text, where the parser stopped at `at`: the last text before that, on the
+// same line, may have begun or ended with a curly quote.
+std::optional<Slip> slip_near(const std::string& text, std::size_t at) {
+    std::size_t begin = std::string::npos, end = 0;
+    bool inside = false;
+    for (std::size_t i = 0; i < std::min(at, text.size()); ++i) {
+        if (inside && text[i] == '\\')
+            ++i;
+        else if (text[i] == '"' && (inside = !inside))
+            begin = i;
+        else if (text[i] == '"')
+            end = i;
+    }
+    const bool is_near = begin != std::string::npos && (inside || text.find('\n', end) >= at);
+    std::size_t curly = is_near ? curly_quote_in(text, begin, at) : std::string::npos;
+    if (curly == std::string::npos && !inside) curly = curly_quote_in(text, at < 2 ? 0 : at - 2, at + 1);
+    if (curly != std::string::npos) return Slip{curly, "a curly quote, expected a straight one: \""};
+    if (inside) return {};
+    const std::string_view there = std::string_view(text).substr(std::min(at, text.size()));
+    if (there.starts_with("//") || there.starts_with("/*") || there.starts_with('#'))
+        return Slip{at, "a comment, which JSON does not have, remove it"};
+    if (there.starts_with('\'')) return Slip{at, "a single quote, expected a double one: \""};
+    return {};
 }
 
 }  // namespace
@@ -103,7 +142,9 @@ JsonText::JsonText(const std::string& text, std::string name) : text_(text), nam
     } catch (const TooDeep&) {
         drill::fail(name_, "is nested deeper than " + std::to_string(deepest) + " levels");
     } catch (const json::parse_error& error) {
-        fail_at(error.byte == 0 ? 0 : error.byte - 1, reason(error.what()));
+        const std::size_t at = error.byte == 0 ? 0 : error.byte - 1;
+        if (const auto slip = slip_near(text_, at)) fail_at(slip->at, std::string("not valid JSON: ") + slip->what);
+        fail_at(at, reason(error.what()));
     } catch (const json::out_of_range& error) {  // "... number overflow parsing '1e999'"
         const std::string what = error.what();
         const auto open = what.find('\'');

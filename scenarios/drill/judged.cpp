@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "scenarios/drill/shape.hpp"
+#include "scenarios/drill/schema.hpp"
 
 namespace scenarios::drill {
 

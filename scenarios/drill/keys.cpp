@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scenarios/drill/drill.hpp"
 #include "scenarios/drill/materials.hpp"
 #include "scenarios/drill/needles.hpp"
 
@@ -9,39 +10,52 @@ namespace scenarios::drill {
 
 namespace {
 
-Shape quantity(const std::string& about, double low, double high, const std::string& unit = "") {
+// What files leave out is as these have it.
+const world::ThreadDef default_thread;
+const world::VesselDef default_vessel;
+
+// A whole number is written as one: 90, not 90.0.
+json plain(double value) {
+    return value == std::round(value) ? json(static_cast<std::int64_t>(value)) : json(value);
+}
+
+json plain(const world::Vec3& v) {
+    return {plain(v.x()), plain(v.y()), plain(v.z())};
+}
+
+Schema quantity(const std::string& about, double low, double high, const std::string& unit = "") {
     return {.types = number, .about = about, .low = low, .high = high, .unit = unit};
 }
 
-Shape count(const std::string& about, double low, double high) {
+Schema count(const std::string& about, double low, double high) {
     return {.types = integer, .about = about, .low = low, .high = high};
 }
 
-Shape words(const std::string& about) {
+Schema words(const std::string& about) {
     return {.types = text, .about = about};
 }
 
-Shape choice(const std::string& about, std::vector<json> choices, const std::string& why_only = "") {
+Schema choice(const std::string& about, std::vector<json> choices, const std::string& why_only = "") {
     return {.types = text, .about = about, .choices = std::move(choices), .why_only = why_only};
 }
 
-Shape list(const std::string& about, std::size_t min_items, std::size_t max_items, Shape item) {
+Schema list(const std::string& about, std::size_t min_items, std::size_t max_items, Schema item) {
     return {.types = array, .about = about, .min_items = min_items, .max_items = max_items, .items = {std::move(item)}};
 }
 
-Shape group(const std::string& about, std::vector<Key> keys) {
+Schema group(const std::string& about, std::vector<Key> keys) {
     return {.types = object, .about = about, .keys = std::move(keys)};
 }
 
 // Names join drill, motion and report, where they stand between commas and in file names.
-Shape name(const std::string& about) {
+Schema name(const std::string& about) {
     return {.types = text,
             .about = about,
             .pattern = "^[A-Za-z][A-Za-z0-9_-]{0,39}$",
             .pattern_words = "a letter and up to 39 letters, digits, '_' or '-'"};
 }
 
-Shape point(const std::string& about) {
+Schema point(const std::string& about) {
     return list(about, 3, 3, quantity("x, y or z in the world.", -1000, 1000, "mm"));
 }
 
@@ -58,7 +72,7 @@ std::vector<json> names_of(const Table& table) {
 }
 
 // [low, high] or {"max": high}.
-Shape band_of(const std::string& about, Shape end) {
+Schema band_of(const std::string& about, Schema end) {
     end.about = "End of the band; the lower is 0 where it is not given.";
     return {.types = array | object,
             .types_words = "[low, high] or {\"max\": high}",
@@ -69,19 +83,19 @@ Shape band_of(const std::string& about, Shape end) {
             .keys = {{"max", end, true}}};
 }
 
-Shape band(const std::string& about, double high, const std::string& unit) {
+Schema band(const std::string& about, double high, const std::string& unit) {
     return band_of(about, quantity("", 0, high, unit));
 }
 
-Shape band_of_counts(const std::string& about, double high) {
+Schema band_of_counts(const std::string& about, double high) {
     return band_of(about, count("", 0, high));
 }
 
-Shape per_instrument(const std::string& about, const Shape& one) {
+Schema per_instrument(const std::string& about, const Schema& one) {
     return {.types = object, .about = about + " Keyed by instrument.", .other_keys = {one}};
 }
 
-Shape direction(const std::string& about) {
+Schema direction(const std::string& about) {
     return list(about + ", any length but zero.", 3, 3, quantity("Component.", -1000, 1000));
 }
 
@@ -100,7 +114,7 @@ std::vector<Key> place_of_needle() {
             {"bulge", direction("To which side of that line its curve lies"), true}};
 }
 
-Shape needle() {
+Schema needle() {
     std::vector<Key> keys = place_of_needle();
     keys.insert(keys.begin(), {"code", choice("As makers name it. " + dimensions(), names_of(needle_codes())), true});
     return group(
@@ -110,37 +124,40 @@ Shape needle() {
         keys);
 }
 
-Shape start() {
+Schema start() {
     return list(
         "Path of the thread at the start, at least length_mm long; what is longer is cut off. An elastic one keeps its "
         "bends: a sharp one behind a needle catches in walls.",
         2, 2000, point("A corner of the path."));
 }
 
-Shape spares() {
-    const Shape spare = group("Such a thread.", {{"needle", group("Where its needle is.", place_of_needle()), true},
-                                                 {"start_mm", start(), true}});
+Schema spares() {
+    const Schema spare = group("Such a thread.", {{"needle", group("Where its needle is.", place_of_needle()), true},
+                                                  {"start_mm", start(), true}});
     return list("More threads like this one, with such needles, that lie ready for when it is used up.", 0, 15, spare);
 }
 
-Shape thread() {
+Schema thread() {
     // The lower bound of the diameter is that of 11-0. Links shorter than a diameter would be their own neighbours'
     // contacts; the loader checks that apart. 5000 links are 0.2 mm each at a metre.
     return group(
         "The suture. Numbers given here win over those of size and material.",
-        {{"size", choice("USP size; gives diameter_mm and break_N.", names_of(sizes())), false, "6-0"},
-         {"material", choice("Gives young_MPa and density_kg_m3.", names_of(materials())), false, "polypropylene"},
+        {{"size", choice("USP size; gives diameter_mm and break_N.", names_of(sizes())), false, default_thread.size},
+         {"material", choice("Gives young_MPa and density_kg_m3.", names_of(materials())), false,
+          default_thread.material},
          {"length_mm", quantity("Length at rest.", 5, 1000, "mm"), true},
          {"diameter_mm", quantity("Thickness.", 0.01, 1, "mm")},
          {"young_MPa", quantity("Young's modulus along the thread.", 1, 300000, "MPa")},
          {"density_kg_m3", quantity("Density.", 500, 20000, "kg/m^3")},
          {"break_N", quantity("Tension at which a knotted thread breaks.", 0.01, 200, "N")},
-         {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false, 0.15},
-         {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false, 0.15},
+         {"friction", quantity("Coulomb coefficient, thread on thread and on vessels.", 0, 2), false,
+          default_thread.friction},
+         {"friction_tool", quantity("Coulomb coefficient, thread on tools.", 0, 2), false,
+          default_thread.friction_tool},
          {"yield_percent",
           quantity("Strain beyond which it stays as it is bent, where effects has plastic_set.", 0.1, 100, "%")},
-         {"links", count("Straight pieces the thread is cut into. Default: 300, of a short one as many as are two "
-                         "diameter_mm long.",
+         {"links", count("Straight pieces the thread is cut into. Default: " + std::to_string(default_thread.links) +
+                             ", of a short one as many as are two diameter_mm long.",
                          2, 5000)},
          {"shortest_link_mm", quantity("Where the thread bends or touches itself links are halved, down to this, and "
                                        "joined again where it is straight; 0: never. "
@@ -150,58 +167,60 @@ Shape thread() {
           count("Of an elastic thread: a tick that has solved so many leaves the rest of the tools' motion to the "
                 "next, so that none takes long; 0: never.",
                 0, 100000),
-          false, 0},
+          false, default_thread.contacts_per_tick},
          {"model",
           choice("What moves the thread: ftl, by its geometry alone; elastic, a rod that bends and stretches by its "
                  "material.",
                  {"ftl", "elastic"}),
-          false, "ftl"},
+          false, default_thread.model},
          {"start_mm", start(), false},
          {"needle", needle(), false},
          {"spares", spares(), false}});
 }
 
-Shape vessel() {
-    const Shape tube = group(
+Schema vessel() {
+    const Schema tube = group(
         "A tube by numbers.",
         {{"diameter_mm", quantity("Outer diameter.", 0.3, 60, "mm"), true},
          {"wall_mm", quantity("Thickness of the wall.", 0.02, 5, "mm"), true},
          {"length_mm", quantity("Length.", 1, 500, "mm"), true},
          {"cut_angle_deg", quantity("Between its axis and the cut at an end that no clamp holds.", 45, 90, "degrees"),
-          false, 90}});
-    const Shape hash = {.types = text,
-                        .about = "SHA-256 of the file.",
-                        .pattern = "^[0-9a-f]{64}$",
-                        .pattern_words = "64 hex digits, lower case"};
-    const Shape mesh = group(
-        "A triangle mesh written in mm: all of a rigid vessel's surface, closed; or the outside of one that gives way, "
-        "closed or open at its ends.",
+          false, plain(default_vessel.cut_angle)}});
+    const Schema hash = {.types = text,
+                         .about = "SHA-256 of the file.",
+                         .pattern = "^[0-9a-f]{64}$",
+                         .pattern_words = "64 hex digits, lower case"};
+    const Schema mesh = group(
+        "A triangle mesh written in mm: the surface of a rigid vessel, or the outside of one that gives way; closed, "
+        "or "
+        "open at its ends.",
         {{"file", words("Path from the drill file: .obj, .ply or .stl."), true},
          {"sha256", hash, true},
          {"wall_mm", quantity("Thickness of a wall that gives way, inwards from the mesh.", 0.02, 5, "mm")}});
-    Shape shape = group(
+    Schema schema = group(
         "A vessel. Rigid, or where effects has tissue a wall that gives way, held where clamps hold it; a tube is cut "
         "where none does.",
         {{"name", name("How goals call it."), true},
          {"tube", tube},
          {"mesh", mesh},
          {"centre_mm", point("Middle of a tube; of a mesh where the origin of its file comes."), false,
-          json::array({0, 0, 0})},
+          plain(world::Vec3(1e3 * default_vessel.centre))},
          {"axis",
           list("Direction of a tube, and of a mesh made along x; any length but zero.", 3, 3,
                quantity("Component.", -1000, 1000)),
-          false, json::array({1, 0, 0})},
+          false, plain(default_vessel.axis)},
          {"held", list("Ends that a clamp holds.", 0, 2, choice("An end.", {"start", "end"})), false,
           json::array({"start", "end"})},
          {"held_by", name("Approximator whose clamps these are. Without it they stay where they are.")},
-         {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false, 0.1},
+         {"young_MPa", quantity("Young's modulus of a wall that gives way.", 0.001, 10, "MPa"), false,
+          default_vessel.young_modulus / 1e6},
          {"puncture_N", quantity("Force at which a needle goes through a wall that gives way.", 0.001, 10, "N"), false,
-          0.05}});
-    shape.one_of = {"tube", "mesh"};
-    return shape;
+          default_vessel.puncture_force}});
+    schema.one_of = {"tube", "mesh"};
+    return schema;
 }
 
-Shape instrument() {
+Schema instrument() {
     return group("A tool.",
                  {{"name", name("As in motion files."), true},
                   {"kind",
@@ -214,30 +233,31 @@ Shape instrument() {
                                       0.01, 100, "N")}});
 }
 
-Shape effects() {
+Schema effects() {
     const std::string only = "this version cannot simulate more, ";
-    const auto flag = [](const std::string& about) { return Shape{.types = boolean, .about = about}; };
+    const auto flag = [](const std::string& about) { return Schema{.types = boolean, .about = about}; };
     std::vector<Key> keys{
         {"gravity", flag("Weight of an elastic thread, towards -z; it falls where no tool and no vessel holds it."),
-         false, false},
+         false, default_thread.weighs},
         {"bending", flag("Stiffness against bending. Default: as the thread's model has it, ftl off and elastic on.")},
         {"extension",
          flag("Stretch of the thread by its material; off, it stretches by next to nothing. Default: elastic on.")},
-        {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false, false},
+        {"plastic_set", flag("An elastic thread that is bent beyond yield_percent stays bent."), false,
+         default_thread.yield_strain > 0},
         {"inertia", flag("Mass of the thread; off, it is in balance in every tick. Default: elastic on.")},
         {"air", flag("Drag of the air, which halts what of an elastic thread is loose; off, that flies on."), false,
-         false}};
+         default_thread.is_in_air}};
     keys.push_back({"twist", {.types = boolean, .choices = {false}, .why_only = only}, false, false});
-    keys.push_back(
-        {"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false, "rigid"});
+    keys.push_back({"tissue", choice("Deformation of vessels: rigid, or elastic walls.", {"rigid", "elastic"}), false,
+                    default_vessel.is_soft ? "elastic" : "rigid"});
     keys.push_back(
         {"tear", flag("Bites tear out of walls that are pulled too hard. As tissue has it: elastic on, rigid off.")});
     keys.push_back({"leak", flag("A join leaks. As tissue has it: elastic on, rigid off.")});
     return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));
 }
 
-Shape goal() {
-    Shape throws = count("Number of throws, or their notation after Tera and Aberg: \"2=1\".", 1, 20);
+Schema goal() {
+    Schema throws = count("Number of throws, or their notation after Tera and Aberg: \"2=1\".", 1, 20);
     throws.types = integer | text;
     throws.pattern = "^[1-9]([=x][1-9]){0,19}$";
     throws.pattern_words = "turns of each throw joined by '=' (reversed) or 'x' (same way), such as \"2=1\"";
@@ -249,11 +269,11 @@ Shape goal() {
           true},
          {"around", name("Vessel that the thread goes around.")},
          {"throws", throws},
-         {"times", count("In how many pieces of thread.", 1, 100), false, 1},
+         {"times", count("In how many pieces of thread.", 1, 100), false, Goal{}.times},
          {"tails_mm", list("Shortest and longest tail allowed.", 2, 2, quantity("Length of a tail.", 0, 1000, "mm"))}});
 }
 
-Shape bands() {
+Schema bands() {
     return group(
         "Bands of scored items. An item without a band is shown, not judged.",
         {{"time_s", band("Duration, with the half second that tools rest in after a motion.", 7200, "s"), false},
@@ -281,8 +301,8 @@ Shape bands() {
 
 }  // namespace
 
-const Shape& drill_shape() {
-    static const Shape shape =
+const Schema& drill_schema() {
+    static const Schema schema =
         group("A drill for carrel. Units stand in the names of keys.",
               {{"$schema", words("For editors; not read.")},
                {"carrel_drill", {.types = integer, .about = "Version of this format.", .choices = {1}}, true},
@@ -299,7 +319,7 @@ const Shape& drill_shape() {
                {"bands", bands(), false, json::object()},
                {"time_limit_s", quantity("The drill ends then, and its time is missed.", 0.1, 7200, "s"), true},
                {"motion", words("Motion file (.csv) that plays the drill, path from the drill file.")}});
-    return shape;
+    return schema;
 }
 
 }  // namespace scenarios::drill

@@ -1,9 +1,9 @@
 #pragma once
-#include "scenarios/drill/shape.hpp"
+#include "scenarios/drill/schema.hpp"
 
 namespace scenarios::drill {
 
 /// Every key of a drill file: the one table behind the loader's checks, the defaults and the published schema.
-const Shape& drill_shape();
+const Schema& drill_schema();
 
 }  // namespace scenarios::drill

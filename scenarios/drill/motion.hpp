@@ -15,8 +15,8 @@ constexpr double settling_s = 0.5;
 
 /// Where a tool is at one time.
 struct MotionKey {
-    double t_s;
-    instruments::ToolInput input;
+    double t_s;                    ///< [s]
+    instruments::ToolInput input;  ///< Pose [m] and jaw then.
 };
 
 /// What moves the instruments of a drill: a list of keys each, in the order of the drill's instruments.
@@ -33,17 +33,25 @@ class Motion {
     double duration() const;
     /// What is lost of it and of the rest after it where a drill ends at this time [s], in a sentence; nothing: "".
     std::string cut_short_at(double limit_s) const;
+    /// Where a device has left out rows, a sentence for each instrument that moves meanwhile; `instruments` are their
+    /// names. A gap is longer than 0.25 s and four times the usual time between rows, of a motion whose rows come
+    /// evenly; rows that a person wrote do not.
+    std::vector<std::string> gaps(std::span<const std::string> instruments) const;
 
+    /// Per instrument, in order of time.
     std::span<const std::vector<MotionKey>> keys() const { return keys_; }
 
   private:
     std::vector<std::vector<MotionKey>> keys_;
 };
 
-/// Reads a motion file, header t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw. `instruments` are the drill's names, in
-/// its order; each needs at least one row. Rows of different instruments may alternate. Quaternions are normalised, a
-/// length outside 0.5 to 2 is a mistake. Throws FileError with line and column.
+/// Reads a motion file (.csv as CsvReader has it), header t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw; columns behind
+/// these are left alone. `instruments` are the drill's names, in its order; each needs at least one row. Rows of
+/// different instruments may alternate. Quaternions are normalised, a length outside 0.5 to 2 is a mistake. Throws
+/// FileError with line and column.
 Motion load_motion(const std::filesystem::path& file, std::span<const std::string> instruments);
+
+/// Reads the text of a motion file, which messages call `name`; the rest as load_motion().
 Motion parse_motion(const std::string& text, const std::string& name, std::span<const std::string> instruments);
 
 /// The text of a motion file with these keys, rows in order of time; what is read back differs by rounding alone.

@@ -7,18 +7,27 @@ namespace scenarios::drill {
 
 namespace {
 
-// Letters to insert, delete or replace to make `b` of `a` [Wagner and Fischer 1974].
+char small(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+// Letters to insert, delete, replace or swap with the next to make `b` of `a`, in any case: optimal string alignment
+// [Damerau 1964].
 std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i);
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+    std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    const auto same = [&](std::size_t i, std::size_t j) { return small(a[i - 1]) == small(b[j - 1]); };
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                least[i][j] = i + j;
+                continue;
+            }
+            least[i][j] =
+                std::min({least[i - 1][j] + 1, least[i][j - 1] + 1, least[i - 1][j - 1] + (same(i, j) ? 0 : 1)});
+            if (i > 1 && j > 1 && same(i, j - 1) && same(i - 1, j))
+                least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
         }
-    }
-    return row.back();
+    return least[a.size()][b.size()];
 }
 
 struct Quantity {
@@ -40,8 +49,8 @@ Quantity split(const std::string& key) {
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
     std::string best;
-    if (word.size() > 60) return best;  // no key is that long
-    std::size_t least = word.size() / 3 + 1;
+    if (word.size() > 60) return best;        // no key is that long
+    std::size_t least = word.size() / 8 + 2;  // one slip, and another for every eight letters
     for (const std::string& candidate : known) {
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least) least = distance, best = candidate;
@@ -49,13 +58,14 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
     return best;
 }
 
-std::string unknown_key(const std::string& key, const std::vector<std::string>& known) {
+std::string unknown_key(const std::string& key, const std::vector<std::string>& known,
+                        const std::vector<std::string>& missing) {
     for (const std::string& candidate : known) {
         const Quantity meant = split(candidate);
         if (!meant.unit.empty() && split(key).name == meant.name)
             return "unknown key, this is written in " + meant.unit + " as \"" + candidate + "\"";
     }
-    if (const std::string close = nearest(key, known); !close.empty())
+    if (const std::string close = nearest(key, missing); !close.empty())
         return "unknown key, did you mean \"" + close + "\"?";
     std::string all;
     for (const std::string& name : known) all += (all.empty() ? "\"" : ", \"") + name + "\"";

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "scenarios/drill/judged.hpp"
+#include "scenarios/drill/schema.hpp"
 #include "scenarios/drill/score_sewing.hpp"
-#include "scenarios/drill/shape.hpp"
 #include "scenarios/drill/tie.hpp"
 
 namespace scenarios::drill {

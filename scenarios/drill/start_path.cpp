@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "scenarios/drill/shape.hpp"
+#include "scenarios/drill/schema.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/resample.hpp"
 

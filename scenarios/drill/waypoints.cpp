@@ -10,7 +10,7 @@
 
 #include "scenarios/drill/direction.hpp"
 #include "scenarios/drill/file.hpp"
-#include "scenarios/drill/shape.hpp"
+#include "scenarios/drill/schema.hpp"
 
 namespace scenarios::drill {
 

@@ -52,7 +52,7 @@ TEST(HardCaseFile, SaysWhatIsWrongAndWhere) {
         {{{"expect", {{{"is", "moved"}, {"at_most", 0}, {"today", 1}}}}},
          "/expect/0: \"today\" goes with \"known\" alone"},
         {{{"id", "other"}}, "/id: expected the file's name, \"small\""},
-        {{{"holdz", json::array()}}, "/holdz: unknown key, did you mean \"holds\"?"},
+        {{{"tick_z", 0.001}}, "/tick_z: unknown key, did you mean \"tick_s\"?"},
         {{{"case", {"X1"}}}, "/case/0: expected \"E\" or \"T\" and a number"},
         {{{"duration_s", 0}}, "/duration_s: expected 1e-04 to 1000 s, found 0"},
         {{{"duration_s", 900}}, "/duration_s"},

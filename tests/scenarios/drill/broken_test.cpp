@@ -28,7 +28,7 @@ struct Broken {
 };
 
 const std::string header = "t_s,instrument,x_mm,y_mm,z_mm,qw,qx,qy,qz,jaw\n";
-const std::string good_rows = "0,left,0,0,0,1,0,0,0,1\n0,right,0,0,0,1,0,0,0,1\n";
+const std::string good_rows = "0,left,0,0,60,0,1,0,0,1\n0,right,0,0,90,0,1,0,0,1\n";
 
 std::string junk(unsigned seed, std::size_t size) {
     std::mt19937 random(seed);

@@ -276,6 +276,8 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
          "a.json:18:57: error: /bands/bites: the thread has no needle: give it one (\"needle\"), or leave this out"},
         {sample::sewn("\"bite_mm\": [1, 2]"),
          "a.json:18:24: error: /bands/bite_mm: expected \"bites\" as well, how many there must be"},
+        {sample::sewn("\"bite_deg\": [60, 90]"),
+         "a.json:18:25: error: /bands/bite_deg: expected \"bites\" as well, how many there must be"},
         {replaced(needle("[0, 0, 1]", "[0, -1, 0]"), "\"tension_N\"", "\"gap_mm\": {\"max\": 1}, \"tension_N\""),
          "a.json:18:58: error: /bands/gap_mm: a join is of two vessels sewn by a needle, expected both"},
         {with("\"right\"", "\"left\""),
@@ -317,6 +319,43 @@ TEST(DrillLoader, SaysWhatIsWrongWordForWord) {
         {std::string(100000, '['), "a.json: error: is nested deeper than 32 levels"},
     };
     for (const Case& c : cases) EXPECT_EQ(message(c.text), c.message);
+}
+
+// What other languages and editors put into a text is named as such, where it stands.
+TEST(DrillLoader, NamesWhatIsNoJson) {
+    const std::string comment = "not valid JSON: a comment, which JSON does not have, remove it",
+                      curly = "not valid JSON: a curly quote, expected a straight one: \"";
+    const Case cases[] = {
+        {with("  \"title\"", "  // the knot\n  \"title\""), "a.json:3:3: error: " + comment},
+        {with("  \"title\"", "  /* the knot */ \"title\""), "a.json:3:3: error: " + comment},
+        {with("  \"title\"", "  # the knot\n  \"title\""), "a.json:3:3: error: " + comment},
+        {with("150,", "150, // of 6-0"), "a.json:6:23: error: " + comment},
+        {with("\"friction\": 0.2", "\"friction\": /* measured */ 0.2"), "a.json:7:17: error: " + comment},
+        {with("\"title\"", "\u201ctitle\u201d"), "a.json:3:3: error: " + curly},
+        {with("\"Square knot\"", "\u201eSquare knot\u201c"), "a.json:3:12: error: " + curly},
+        {with("\"title\"", "\"title\u201d"), "a.json:3:9: error: " + curly},
+        {with("\"Square knot\"", "\"Square knot\u201d"), "a.json:3:24: error: " + curly},
+        {with("\"Square knot\"", "\u2018Square knot\u2019"), "a.json:3:12: error: " + curly},
+        {with("\"title\"", "'title'"), "a.json:3:3: error: not valid JSON: a single quote, expected a double one: \""},
+        {with("\"Square knot\"", "\"A \u201csquare\u201d knot // of 2 throws\""), ""}};
+    for (const Case& c : cases) EXPECT_EQ(message(c.text), c.message);
+}
+
+// A suggestion that is no better than a guess sends its reader to a key that has nothing to do with hers.
+TEST(DrillLoader, SuggestsOnlyWhatIsNearAndStillMissing) {
+    const std::string known =
+        "known are \"$schema\", \"carrel_drill\", \"title\", \"description\", \"thread\", \"vessels\", "
+        "\"instruments\", \"effects\", \"goals\", \"bands\", \"time_limit_s\", \"motion\"";
+    const auto named = [&](const std::string& key) { return message(with("\"bands\"", "\"" + key + "\"")); };
+    for (const char* far : {"boards", "beads", "brands2", "score", "limits"})
+        EXPECT_EQ(named(far), "a.json:18:3: error: /" + std::string(far) + ": unknown key, " + known);
+    for (const char* near : {"band", "Bands", "bnads", "bandss"})
+        EXPECT_EQ(named(near), "a.json:18:3: error: /" + std::string(near) + ": unknown key, did you mean \"bands\"?");
+    EXPECT_EQ(message(with("\"time_limit_s\"", "\"band\": 1, \"time_limit_s\"")),
+              "a.json:19:3: error: /band: unknown key, " + known)
+        << "bands are there already";
+    EXPECT_EQ(message(with("\"length_mm\": 150", "\"lenght_mm\": 150")),
+              "a.json:6:5: error: /thread/lenght_mm: unknown key, did you mean \"length_mm\"?");
 }
 
 // Editors count characters: behind a two-byte letter a column in bytes points one too far.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "scenarios/drill/drill.hpp"
+
 namespace motions {
 
 using namespace scenarios::drill;
@@ -127,6 +129,59 @@ TEST(Motion, SaysWhatIsWrongWordForWord) {
         {header + right + "-1,left,0,0,0,1,0,0,0,1\n", "m.csv:3:1: error: t_s: expected 0 to 7200 s, found \"-1\""},
     };
     for (const auto& [text, expected] : cases) EXPECT_EQ(message(text), expected);
+}
+
+// As spreadsheets and trackers write them: names in quotes, columns of their own behind ours.
+TEST(Motion, ReadsCellsInQuotesAndFurtherColumns) {
+    const Motion plain = motion(quarter_turn);
+    std::string quoted = quarter_turn;
+    for (const std::string name : {"left", "right"})
+        for (std::size_t at = 0; (at = quoted.find("," + name + ",", at)) != std::string::npos; at += 2)
+            quoted.replace(at, name.size() + 2, ", \"" + name + "\" ,");
+    EXPECT_EQ(motion_text(motion(quoted), both), motion_text(plain, both));
+    std::string wide = header + quarter_turn;
+    for (std::size_t at = 0; (at = wide.find('\n', at)) != std::string::npos; at += 11)
+        wide.insert(at, at < header.size() ? ",frame,who" : ",7,\"A, B\"");
+    EXPECT_EQ(motion_text(parse_motion(wide, "m.csv", both), both), motion_text(plain, both));
+    std::string names = "\"t_s\",\"instrument\",x_mm,y_mm,z_mm,qw,qx,qy,qz,\"jaw\"\r\n";
+    EXPECT_EQ(motion_text(parse_motion(names + quarter_turn, "m.csv", both), both), motion_text(plain, both));
+    EXPECT_EQ(message(header.substr(0, header.size() - 1) + ",frame\n0,left,0,0,0,1,0,0,0,1\n"),
+              "m.csv:2: error: expected 11 columns as in the header, found 10");
+    EXPECT_EQ(message(header + "0,\"left,0,0,0,1,0,0,0,1\n"),
+              "m.csv:2: error: expected a closing '\"' after the one in this line");
+    EXPECT_EQ(message(header + "0,\"left\"x,0,0,0,1,0,0,0,1\n"),
+              "m.csv:2: error: expected ',' behind a cell in quotes");
+}
+
+// 100 rows a second of a tool that goes along x at 20 mm/s, from row to row but for those left out.
+Motion tracked(int from, int to, double step_s = 0.01) {
+    std::vector<MotionKey> keys;
+    for (int i = 0; i < 400; ++i) {
+        if (i > from && i < to) continue;
+        keys.push_back({step_s * i, {}});
+        keys.back().input.pose.position.x() = 0.02 * step_s * i;
+    }
+    return Motion({keys, {{0, {}}}});
+}
+
+// A tracker that lost sight of its tool for a second and a half: the tool goes straight where its hand did not.
+TEST(Motion, TellsWhereADeviceLeftOutRows) {
+    EXPECT_EQ(
+        tracked(200, 350).gaps(both),
+        std::vector<std::string>{"\"left\" has no row between 2 and 3.5 s, where others are 0.01 s apart, and goes "
+                                 "straight over the gap, by 30 mm"});
+    EXPECT_EQ(tracked(10, 20, 0.1).gaps(both).size(), 1u) << "ten rows a second, a second left out";
+    EXPECT_EQ(tracked(200, 220).gaps(both).size(), 0u) << "0.2 s: a hand does little in it";
+    EXPECT_EQ(tracked(0, 0).gaps(both).size(), 0u);
+    std::vector<MotionKey> still(400);  // what stands still is often written when it moves again
+    for (std::size_t i = 0; i < still.size(); ++i) still[i].t_s = 0.01 * static_cast<double>(i) + (i > 200 ? 1.5 : 0);
+    EXPECT_EQ(Motion({still}).gaps(std::vector<std::string>{"left"}).size(), 0u);
+    for (const char* drill : {"square-knot", "granny-knot", "surgeons-knot", "single-bite", "stay-sutures"}) {
+        const Drill read = load_drill(std::string(CARREL_SOURCE) + "/scenarios/drills/" + drill + ".json");
+        std::vector<std::string> names;
+        for (const auto& instrument : read.world.instruments) names.push_back(instrument.name);
+        EXPECT_EQ(load_motion(read.motion, names).gaps(names), std::vector<std::string>()) << drill << ": by hand";
+    }
 }
 
 }  // namespace motions
