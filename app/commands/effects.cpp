@@ -23,11 +23,11 @@ constexpr double retention_per_m =
     1.35 / 0.4e-3;                       ///< [N/m] Pull that tears a wall at a 2 mm bite, by its thickness [Konig2009].
 constexpr double pressure_Pa = 13.33e3;  ///< 100 mmHg.
 
-/// What the formulas need of a thread. SI.
-struct Rod {
+/// What the formulas need of a thread, in SI.
+struct ThreadFigures {
     double length, diameter, weight_per_m, axial, bending, twisting, break_force, yield_strain;
 
-    explicit Rod(const scenarios::world::ThreadDef& def) {
+    explicit ThreadFigures(const scenarios::world::ThreadDef& def) {
         const double area = std::numbers::pi / 4 * def.diameter * def.diameter;
         const Material& material = material_named(def.material);
         length = def.length;
@@ -52,10 +52,11 @@ std::string text(const char* format, Values... values) {
 
 // A cantilever's tail sags by w L^4 / (8 B), which over L is (L / L_g)^3 / 8 with L_g = (B / w)^(1/3), and no farther
 // than it is long. A thread tied in the open with twice L_g of slack is one that needs it [SurgeryAndPhysics F1].
-Effect gravity(const Rod& rod) {
-    const double gravito_bending = std::cbrt(rod.bending / rod.weight_per_m), ratio = rod.length / gravito_bending;
+Effect gravity(const ThreadFigures& figures) {
+    const double gravito_bending = std::cbrt(figures.bending / figures.weight_per_m),
+                 ratio = figures.length / gravito_bending;
     const double one_percent = std::cbrt(0.08) * gravito_bending;
-    const double sag = rod.weight_per_m * rod.length * rod.length / (8 * handling_N);
+    const double sag = figures.weight_per_m * figures.length * figures.length / (8 * handling_N);
     return {"gravity",
             false,
             "L / (B / mg)^(1/3)",
@@ -71,8 +72,8 @@ Effect gravity(const Rod& rod) {
 }
 
 // A pulled thread rounds a corner over sqrt(B / T); where it bends, links may be halved.
-Effect bending(const Rod& rod, const scenarios::world::ThreadDef& thread) {
-    const double rounding = std::sqrt(rod.bending / handling_N), whole = rod.length / thread.links;
+Effect bending(const ThreadFigures& figures, const scenarios::world::ThreadDef& thread) {
+    const double rounding = std::sqrt(figures.bending / handling_N), whole = figures.length / thread.links;
     const double link = thread.shortest_link > 0 ? std::min(whole, thread.shortest_link) : whole;
     return {"bending",
             false,
@@ -81,7 +82,7 @@ Effect bending(const Rod& rod, const scenarios::world::ThreadDef& thread) {
             text("corners at 20 mN should be rounded over %.2f mm (a link is %.2f mm) and slack loops should spring "
                  "open; at "
                  "1 N it is %.3f mm",
-                 rounding * 1000, link * 1000, std::sqrt(rod.bending) * 1000),
+                 rounding * 1000, link * 1000, std::sqrt(figures.bending) * 1000),
             "would cost \"model\": \"elastic\" in the drill's thread",
             "rounding of a corner at 20 mN, in mm",
             rounding * 1000,
@@ -89,9 +90,9 @@ Effect bending(const Rod& rod, const scenarios::world::ThreadDef& thread) {
 }
 
 // A pulled rod writhes into a loop at n = L sqrt(4 B T) / (2 pi C) turns [Greenhill].
-Effect twist(const Rod& rod) {
+Effect twist(const ThreadFigures& figures) {
     const auto turns = [&](double tension) {
-        return rod.length * std::sqrt(4 * rod.bending * tension) / (2 * std::numbers::pi * rod.twisting);
+        return figures.length * std::sqrt(4 * figures.bending * tension) / (2 * std::numbers::pi * figures.twisting);
     };
     return {"twist",
             false,
@@ -111,39 +112,39 @@ std::string cost_of_switching_on(const char* effect, const scenarios::world::Thr
     return "would cost \"model\": \"elastic\" in the drill's thread";
 }
 
-Effect extension(const Rod& rod, const scenarios::world::ThreadDef& thread) {
+Effect extension(const ThreadFigures& figures, const scenarios::world::ThreadDef& thread) {
     return {
         "extension",
         false,
         "T / EA at 20 mN",
-        handling_N / rod.axial,
+        handling_N / figures.axial,
         text("the thread should be longer by %.2f %% in handling (20 mN) and by %.1f %% at its breaking load (%.2f N)",
-             100 * handling_N / rod.axial, 100 * rod.break_force / rod.axial, rod.break_force),
+             100 * handling_N / figures.axial, 100 * figures.break_force / figures.axial, figures.break_force),
         cost_of_switching_on("extension", thread),
         "strain at 20 mN",
-        handling_N / rod.axial,
+        handling_N / figures.axial,
         0.01};
 }
 
 // About a strand of its own a thread's axis is bent to 1 / D and its outermost fibres are stretched by a half. Let go
 // of it springs back by 16 / (3 pi) of what begins to yield (RodDef), and a thread that only bends springs straight.
-Effect plastic_set(const Rod& rod) {
-    if (rod.yield_strain == 0)
+Effect plastic_set(const ThreadFigures& figures) {
+    if (figures.yield_strain == 0)
         return {"plastic_set",
                 false,
                 "1 / (2 yield strain)",
                 0,
                 "nothing is known of when this material yields; a braid's fibres slide instead",
                 "costs nothing"};
-    const double tight = 0.5, springs = 16 / (3 * std::numbers::pi) * rod.yield_strain;
+    const double tight = 0.5, springs = 16 / (3 * std::numbers::pi) * figures.yield_strain;
     return {"plastic_set",
             false,
             "1 / (2 yield strain)",
-            tight / rod.yield_strain,
+            tight / figures.yield_strain,
             text("a throw bent about a strand of its own should keep %.0f %% of its bend, anything bent more sharply "
                  "than %.2f mm some of it; without it "
                  "a knot holds by friction alone",
-                 100 * std::max(0.0, 1 - springs / tight), 500 * rod.diameter / springs),
+                 100 * std::max(0.0, 1 - springs / tight), 500 * figures.diameter / springs),
             "would cost \"plastic_set\" in the effects of an elastic thread, one comparison per node",
             "share of its bend that a throw about a strand of its own keeps",
             std::max(0.0, 1 - springs / tight),
@@ -196,15 +197,15 @@ Effect tissue(const Drill& drill) {
                : "would cost \"tissue\": \"elastic\" in the effects, a step of one vessel a tick"};
 }
 
-Effect tear(const Drill& drill, const Rod& rod) {
+Effect tear(const Drill& drill, const ThreadFigures& figures) {
     const bool on = gives_way(drill);
     const double retention = retention_N(drill);
     return {"tear",
             on,
             "breaking load / retention",
-            rod.break_force / retention,
+            figures.break_force / retention,
             text("a %.1f mm wall should tear at about %.2f N at a 2 mm bite, %s; here %s", 1e3 * wall_of(drill),
-                 retention, rod.break_force > retention ? "before this thread breaks" : "after this thread breaks",
+                 retention, figures.break_force > retention ? "before this thread breaks" : "after this thread breaks",
                  on ? "each bite does by its own size" : "it never does"),
             on ? "a threshold per puncture" : "would cost a threshold per puncture"};
 }
@@ -235,10 +236,10 @@ Effect friction(const scenarios::world::ThreadDef& def) {
 }
 
 // Clamped, free end: f1 = 3.516 / (2 pi L^2) sqrt(B / m). Hands move at up to 2 Hz.
-Effect inertia(const Rod& rod, const scenarios::world::ThreadDef& thread) {
-    const double free_length = std::min(rod.length, 0.05);
-    const double f1 =
-        3.516 / (2 * std::numbers::pi * free_length * free_length) * std::sqrt(rod.bending * g / rod.weight_per_m);
+Effect inertia(const ThreadFigures& figures, const scenarios::world::ThreadDef& thread) {
+    const double free_length = std::min(figures.length, 0.05);
+    const double f1 = 3.516 / (2 * std::numbers::pi * free_length * free_length) *
+                      std::sqrt(figures.bending * g / figures.weight_per_m);
     return {"inertia",
             false,
             "(f / f1)^2 at 2 Hz",
@@ -273,26 +274,34 @@ bool is_on(const scenarios::world::ThreadDef& elastic, const std::string& effect
            (effect == "inertia" && elastic.swings) || (effect == "air" && elastic.is_in_air);
 }
 
+// An ftl thread takes none of these: it must become an elastic one, of which bending is always a part.
+std::string remedy_of(const std::string& effect, bool elastic) {
+    const std::string model = "\"model\": \"elastic\" in the thread", on = "\"" + effect + "\": true in the effects";
+    if (effect == "bending") return model;
+    return elastic ? on : on + " and " + model;
+}
+
 }  // namespace
 
 std::vector<Effect> effects_of(const Drill& drill) {
-    const Rod rod(drill.world.thread);
+    const ThreadFigures figures(drill.world.thread);
     std::vector<Effect> all{friction(drill.world.thread),
-                            gravity(rod),
-                            bending(rod, drill.world.thread),
-                            twist(rod),
-                            extension(rod, drill.world.thread),
-                            plastic_set(rod),
+                            gravity(figures),
+                            bending(figures, drill.world.thread),
+                            twist(figures),
+                            extension(figures, drill.world.thread),
+                            plastic_set(figures),
                             tissue(drill),
-                            tear(drill, rod),
+                            tear(drill, figures),
                             leak(drill),
-                            inertia(rod, drill.world.thread),
+                            inertia(figures, drill.world.thread),
                             air(drill.world.thread)};
     const auto& thread = drill.world.thread;
     const bool elastic = thread.model == "elastic";
     for (Effect& effect : all) {
         // Where nothing springs back, nothing needs to stay; and what ties no knot has none to keep.
         if (effect.name == "plastic_set" && (!elastic || drill.goals.empty())) effect.needed_above.reset();
+        if (!effect.on && effect.needed_above) effect.remedy = remedy_of(effect.name, elastic);
         if (!elastic || !is_on(thread, effect.name)) continue;
         effect.on = true;
         effect.error = "simulated by the elastic thread: " + effect.error;

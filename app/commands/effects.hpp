@@ -22,6 +22,9 @@ struct Effect {
     std::optional<double> needed_above =
         {};  ///< Value of the group above which a thread needs it, where a drill can have it.
 
+    std::string remedy = {};  ///< What to write in this drill to have it: "gravity": true in the effects; "": nothing.
+
+    /// Whether it is off and the thread needs it.
     bool is_missed() const { return !on && needed_above && value > *needed_above; }
 };
 

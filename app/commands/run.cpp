@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/tool_starts.hpp"
+#include "app/commands/warnings.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
 #include "app/play/output.hpp"
@@ -18,12 +20,6 @@ namespace {
 
 using instruments::ToolInput;
 using scenarios::drill::Drill;
-
-std::vector<std::string> instrument_names(const Drill& drill) {
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    return names;
-}
 
 std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& options, const Drill& drill) {
     if (options.record.empty()) return {};
@@ -89,11 +85,12 @@ int run_command(const RunOptions& options) {
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
     const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
 
-    if (const std::string lost = motion.cut_short_at(drill.time_limit_s); !lost.empty())
-        std::cerr << options.drill << ": warning: " << lost << '\n';
+    for (const std::string& warning : warnings_of(drill, &motion))
+        std::cerr << options.drill << ": warning: " << warning << '\n';
 
     std::vector<ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);
+    check_tool_starts(drill, vessel_meshes(drill.world), start, motion_file.string());
     Session session(drill, start);
     if (!options.out.empty()) expect_output(options.out, {options.drill, motion_file, options.record});
     auto recorder = open_recorder(options, drill);

@@ -1,46 +1,35 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/commands/commands.hpp"
-#include "app/commands/effects.hpp"
+#include "app/commands/tool_starts.hpp"
+#include "app/commands/warnings.hpp"
 #include "app/fault.hpp"
 #include "app/play/scene.hpp"
-#include "scenarios/drill/drill.hpp"
-#include "scenarios/drill/motion.hpp"
 
 namespace app {
 
 namespace {
 
-// What the drill leaves out that its thread needs, each a sentence.
-std::vector<std::string> missed(const scenarios::drill::Drill& drill) {
-    std::vector<std::string> sentences;
-    for (const Effect& effect : effects_of(drill)) {
-        if (!effect.is_missed()) continue;
-        std::ostringstream text;
-        text.precision(3);
-        text << "/effects/" << effect.name << ": off, but " << effect.group << " is " << effect.value << ", above "
-             << *effect.needed_above << ": " << effect.error;
-        if (!drill.motion.empty()) text << "; its motion was tuned without, play it again with it on";
-        sentences.push_back(text.str());
-    }
-    return sentences;
-}
-
 // Returns what to warn of.
 std::vector<std::string> check(const std::string& file) {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
-    vessel_meshes(drill.world);
+    const auto rigid = vessel_meshes(drill.world);
     with_walls(drill.world);
-    if (drill.motion.empty()) return missed(drill);
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    auto warnings = missed(drill);
-    if (const std::string lost = scenarios::drill::load_motion(drill.motion, names).cut_short_at(drill.time_limit_s);
-        !lost.empty())
-        warnings.push_back(lost);
-    return warnings;
+    std::vector<std::string> sentences = missed_effects(drill);
+    const auto add = [&](const std::vector<std::string>& more) {
+        sentences.insert(sentences.end(), more.begin(), more.end());
+    };
+    if (drill.motion.empty()) {
+        add(warnings_of(drill, nullptr));
+        return sentences;
+    }
+    const auto motion = scenarios::drill::load_motion(drill.motion, instrument_names(drill));
+    std::vector<instruments::ToolInput> start(drill.world.instruments.size());
+    motion.at(0, start);
+    check_tool_starts(drill, rigid, start, drill.motion.string());
+    add(warnings_of(drill, &motion));
+    return sentences;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/program.hpp"
 #include "tests/scenarios/drill/sample.hpp"
 
@@ -125,4 +127,30 @@ TEST(Effects, FtlDoesNotPlayADrillThatAsksForMore) {
     feels.replace(feels.find("\"forceps\""), 9, "\"forceps\", \"pull_N\": 1");
     program::expect_one_line_naming("pull_N",
                                     program::run({"run", folder.write("feels.json", feels), "--thread", "ftl"}));
+}
+
+// Advice that is refused when it is followed sends its author in circles. What a warning says is expected, and nothing
+// else, makes a drill of which that is not warned again.
+TEST(Effects, WhatAWarningAsksForIsAccepted) {
+    for (const std::string& text :
+         {sample::with("150", "300"), sample::with("\"6-0\"", "\"9-0\", \"material\": \"nylon\""),
+          sample::with("\"6-0\"", "\"6-0\", \"model\": \"elastic\""),
+          sample::with("\"6-0\"", "\"10-0\", \"model\": \"elastic\"")}) {
+        auto drill = nlohmann::json::parse(text);
+        int missed = 0;
+        for (const Effect& of : app::effects_of(scenarios::drill::parse_drill(text, "a", ""))) {
+            if (!of.is_missed()) continue;
+            ++missed;
+            const auto asks = [&](const std::string& what) { return of.remedy.find(what) != std::string::npos; };
+            EXPECT_TRUE(asks("\"model\": \"elastic\" in the thread") || asks("\": true in the effects")) << of.remedy;
+            if (asks("\"model\": \"elastic\" in the thread")) drill["thread"]["model"] = "elastic";
+            if (asks("\"" + of.name + "\": true in the effects")) drill["effects"][of.name] = true;
+        }
+        EXPECT_GT(missed, 0);
+        EXPECT_EQ(sample::message(drill.dump()), "");
+        for (const Effect& of : app::effects_of(scenarios::drill::parse_drill(text, "a", "")))
+            if (of.is_missed()) {
+                EXPECT_FALSE(effect(of.name, drill.dump()).is_missed()) << of.name;
+            }
+    }
 }
