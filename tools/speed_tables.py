@@ -7,10 +7,11 @@ import sys
 
 answer = json.load(sys.stdin)
 rows = {row["id"]: row for row in answer["rows"]}
-SCENES = [("pull-n200", "200 links, 0.1 m/s"), ("pull-n1000", "1000 links, 0.1 m/s"), ("pull-n200-fast", "200 links, 2 m/s")]
+SCENES = [("pull-n200", "200 links, 0.1 m/s"), ("pull-n1000", "1000 links, 0.1 m/s"),
+          ("pull-n200-fast", "200 links, 2 m/s")]
 WHOSE = ["", "ode-", "bullet-"]
-FIGURES = ["tick-p50", "tick-p99", "tick-max", "tight-p50", "tight-p99", "stretch-pull", "stretch-rest", "stretch-over", "gap-pull",
-           "gap-over", "kappa-least", "lag", "knot-kept", "pass-throughs"]
+FIGURES = ["tick-p50", "tick-p99", "tick-max", "tight-p50", "tight-p99", "stretch-pull", "stretch-rest", "stretch-over",
+           "gap-pull", "gap-over", "kappa-least", "lag", "knot-kept", "pass-throughs"]
 
 
 def figure(value, unit):
@@ -26,7 +27,11 @@ def cell(row_id):
     if row is None:
         return "–"
     text = figure(row["value"], row["unit"])
-    return text if row["bound"] is None else f"**{text}** ({'bound' if row['pass'] else 'missed:'} {row['bound']:g})"
+    if row["bound"] is None:
+        return text
+    asked = "=" if row["value"] == row["bound"] else "≤" if (row["value"] < row["bound"]) == row["pass"] else "≥"
+    text = f"{text} ({asked} {row['bound']:g})"
+    return text if row["pass"] else f"**{text}**"
 
 
 def table(head, lines):
@@ -38,7 +43,8 @@ def pulls():
     lines = []
     for name in FIGURES:
         unit = next(row["unit"] for row_id, row in rows.items() if row_id.endswith(name))
-        lines.append([f"`{name}` [{unit}]"] + [" / ".join(cell(f"{whose}{scene}-{name}") for whose in WHOSE) for scene, _ in SCENES])
+        lines.append([f"`{name}` [{unit}]"] +
+                     [" / ".join(cell(f"{whose}{scene}-{name}") for whose in WHOSE) for scene, _ in SCENES])
     for name in ["tick-p99-over-p50", "ode-ratio", "bullet-ratio"]:
         lines.append([f"`{name}`"] + [cell(f"{scene}-{name}") for scene, _ in SCENES])
     return table(head, lines)
@@ -54,14 +60,17 @@ def growth():
 def trade_off():
     head = ["`ftl-…`", "`cost` [ms per s]", "`stretch` [%]", "`gap` [D]", "`kappa` [D]"]
     settings = [row_id[:-len("-cost")] for row_id in rows if row_id.endswith("-cost")]
-    return table(head, [[f"`{s[4:]}`"] + [cell(f"{s}-{name}") for name in ["cost", "stretch", "gap", "kappa"]] for s in settings])
+    return table(head, [[f"`{s[4:]}`"] + [cell(f"{s}-{name}") for name in ["cost", "stretch", "gap", "kappa"]]
+                        for s in settings])
 
 
 def links():
-    figures = ["most", "tick-p50", "tick-p99", "takes-up", "stretch", "gap", "knot-kept", "pass-throughs", "moved", "ratio"]
-    head = ["`links-…`", "links at most", "`tick-p50` [us]", "`tick-p99` [us]", "`takes-up` [D]", "`stretch` [%]", "`gap` [D]", "`knot-kept`",
-            "`pass-throughs`", "`moved` [R]", "`ratio`"]
-    return table(head, [[f"`{name}`"] + [cell(f"links-{name}-{figure}") for figure in figures] for name in ["short", "long", "fitted"]])
+    figures = [("most", "links at most"), ("tick-p50", "`tick-p50` [us]"), ("tick-p99", "`tick-p99` [us]"),
+               ("takes-up", "`takes-up` [D]"), ("stretch", "`stretch` [%]"), ("gap", "`gap` [D]"), ("knot-kept", "`knot-kept`"),
+               ("pass-throughs", "`pass-throughs`"), ("moved", "`moved` [R]"), ("ratio", "`ratio`")]
+    of = ["short", "long", "fitted"]
+    return table(["`links-…`", *(f"`{name}`" for name in of)],
+                 [[words, *(cell(f"links-{name}-{figure}") for name in of)] for figure, words in figures])
 
 
 page = pathlib.Path(__file__).resolve().parent.parent / "docs" / "speed.md"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Puts what `carrel bench speed-vs-error --json` printed into docs/speed-vs-error.md, between its markers.
+"""Puts what `carrel bench speed-vs-error --json` printed into docs/speed-vs-error-table.md, between its markers.
 
     build/carrel bench speed-vs-error --json --plot docs/speed-vs-error > out/speed-vs-error.json
     tools/speed_vs_error_tables.py < out/speed-vs-error.json
@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs/speed-vs-error.md"
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs/speed-vs-error-table.md"
 SETTING = re.compile(r"(.+)-(ftl|elastic|rod)-link(\d+)(?:-tick(\d+))?-(found|error|cost|links|sweeps)$")
 DRILL = re.compile(r"drill-(.+)-([^-]+)-(same|knot|loop|shorter|longer|tension|cost|p50|p99)$")
 WORDS = re.compile(r"(.+); .+, links \((.+)\) ([\d.]+)(?:, ticks of ([\d.]+) ms)?: ")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Puts what `carrel bench stability --json` printed into docs/stability.md, between its markers.
+"""Puts what `carrel bench stability --json` printed into docs/stability-table.md, between its markers.
 
     build/carrel bench stability --json > out/stability.json
     tools/stability_tables.py < out/stability.json
@@ -10,12 +10,13 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs/stability.md"
+PAGE = ROOT / "docs/stability-table.md"
 SILENT = {"pass-throughs", "not-finite-nodes", "step-over-bound"}  # asked of nearly every scene
 
 
 def figure(row, name):
-    text = f"{name} {row['value']:.3g}".strip() + (f" {row['unit']}" if row["unit"] not in ("count", "share", "ratio") else "")
+    unit = "" if row["unit"] in ("count", "share", "ratio") else f" {row['unit']}"
+    text = f"{name} {row['value']:.3g}".strip() + unit
     if row["bound"] is None:
         return text
     text += f" {'≤' if (row['value'] <= row['bound']) == row['pass'] else '≥'} {row['bound']:g}"
