@@ -85,4 +85,19 @@ TEST(Lumen, KnowsWhatIsInIt) {
     EXPECT_EQ(depth_in_lumen({-2 * mm, 0, 0}, skin, skin, 3 * mm), 0);  // well off an open end
 }
 
+// All the way to a diameter, 3 mm, from the cut, and no further: what is narrow beyond that is no lapse of this join.
+TEST(Lumen, LooksADiameterFar) {
+    const auto waist = [](double at) {
+        return Lumen().ratio([&](const Vec3& p) {
+            const double share = std::min(1.0, 0.5 + 400 * std::abs(p.x() - at));
+            return Vec3(p.x(), share * p.y(), share * p.z());
+        });
+    };
+    for (const double at : {0.5 * mm, 1.5 * mm, 2.5 * mm, 2.9 * mm}) {
+        EXPECT_GE(waist(at), 0.25 - 1e-9) << at;
+        EXPECT_LE(waist(at), 0.4) << at;
+    }
+    EXPECT_NEAR(waist(4.8 * mm), 1, 1e-9);
+}
+
 }  // namespace lumen_areas

@@ -246,4 +246,25 @@ TEST(Needle, ASpareLeadsItsOwnThread) {
     EXPECT_EQ(world.measures().pass_throughs, 0u);
 }
 
+// The second has it from where the first last had it, not from where it was when the second closed on it.
+TEST(Needle, IsHandedOverFromWhereItIsNow) {
+    Scene scene;
+    World world(scene.def, {}, scene.tools);
+    const auto go = [&](int ticks, double up = 0) {
+        for (int t = 0; t < ticks; ++t) scene.tools[0].pose.position.z() += up, world.tick(scene.tools);
+    };
+    for (ToolInput& tool : scene.tools) tool.jaw = 0, go(5);
+    go(10, 0.01 * mm);
+    Arc moved = scene.def.needle;
+    moved.centre.z() += 0.1 * mm;
+    EXPECT_LT(off(world.needle(), moved), 1e-12) << "the first leads";
+    scene.tools[0].jaw = 1;
+    go(10);
+    EXPECT_LT(off(world.needle(), moved), 1e-12);
+    scene.tools[1].pose.position.z() += 0.1 * mm;
+    go(5);
+    moved.centre.z() += 0.1 * mm;
+    EXPECT_LT(off(world.needle(), moved), 1e-12) << "the second leads";
+}
+
 }  // namespace needles

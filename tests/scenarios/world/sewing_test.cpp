@@ -169,6 +169,19 @@ TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
     EXPECT_EQ(in_use(), 1);
 }
 
+// What it took to pierce a wall is told: its puncture force, and what one more step of the tip adds to that.
+TEST(Sewing, TellsWithWhatForceASkinWasPierced) {
+    Scene scene("ftl", 130, false);
+    World world(scene.def, {}, scene.tools);
+    for (int t = 0; t < 500 && world.vessels()[0].bites.bites().empty(); ++t)
+        scene.turn(scene.tools[0], t < 5 ? 0 : 0.1), world.tick(scene.tools);
+    ASSERT_EQ(world.events().size(), 2u);
+    EXPECT_EQ(world.events()[0].kind, scenarios::world::EventKind::needle_grasp);
+    EXPECT_EQ(world.events()[1].kind, scenarios::world::EventKind::pierced);
+    EXPECT_EQ(world.events()[1].what, "left");
+    EXPECT_NEAR(world.events()[1].value, 0.008, 0.0016);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, SewingTest,
                          testing::Values(Case{"ftl", "ftl", 130, false}, Case{"elastic", "elastic", 130, false},
                                          Case{"ftl_few_links_and_a_spare", "ftl", 15, true},

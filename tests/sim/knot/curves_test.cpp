@@ -105,6 +105,7 @@ TEST(LabelledCurves, SurgicalNamesMatch) {
         // One hitch alone bends its strands too evenly to be told from a single throw.
         if (throws.size() > 1) {
             EXPECT_EQ(name.flat, flat);
+            EXPECT_EQ(name.half_hitches, flat ? "" : curve.label["surgical"].get<std::string>());
         }
         ++checked;
     }

@@ -209,3 +209,41 @@ TEST(FirstTouch, FindsCrossedAndFoldedEdges) {
     EXPECT_FALSE(first_touch({{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0)}, false}}));
     for (const auto& curve : ropes::labelled()) EXPECT_FALSE(first_touch(curve.components)) << curve.id;
 }
+
+// A thread laid over itself anyhow, its ends led out to either side.
+static Rope laid_anyhow(unsigned seed) {
+    std::mt19937 random(seed);
+    Rope rope(18);
+    for (std::size_t i = 0; i < rope.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis) rope[i][axis] = 4 * (random() / 4294967296.0) - 2;
+    rope.front().x() = -6, rope.back().x() = 6;
+    return rope;
+}
+
+// Seen from one side in ten, a part of each of these unknots looks knotted; from the others it does not. To call that a
+// slip knot would pass a drill that asks for one.
+TEST(Namer, WhatLooksKnottedFromOneSideIsNoSlipKnot) {
+    for (const unsigned seed : {127u, 221u, 254u, 258u, 339u}) {
+        std::mt19937 random(1);
+        for (int turn = 0; turn < 30; ++turn) {
+            const auto name = name_knot(ropes::turned(laid_anyhow(seed), random));
+            EXPECT_EQ(name.knot, "0_1") << "seed " << seed << ", turn " << turn;
+            EXPECT_EQ(name.surgical, "") << "seed " << seed << ", turn " << turn;
+        }
+    }
+}
+
+// T(2, 11) has eleven crossings and is not in the table. A thread with it and a trefoil is not told for certain,
+// whichever comes first: a goal asks for nothing but that.
+TEST(Namer, ASumIsCertainIfAllOfItIs) {
+    const Rope unlisted = app::bench::tied({{5, true}}), trefoil = app::bench::tied({R});
+    const Vec3 aside(20, 0, 0);
+    for (const Rope& sum : {joined(unlisted, trefoil, aside), joined(trefoil, unlisted, aside)}) {
+        const auto name = name_knot(sum);
+        EXPECT_FALSE(name.certain);
+        EXPECT_EQ(name.knot, "unknown");
+        EXPECT_EQ(name.surgical, "");
+    }
+    EXPECT_TRUE(name_knot(joined(trefoil, trefoil, aside)).certain);
+    EXPECT_EQ(name_knot(joined(trefoil, trefoil, aside)).knot, "3_1#3_1");
+}

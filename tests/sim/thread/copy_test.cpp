@@ -188,7 +188,7 @@ void expect_shared_members_count(const Mover& mover) {
     expect("arc", [](auto& s) { s.arc[3] *= 1.01; });
     expect("longest_link", [](auto& s) { s.longest_link *= 2; });
     expect("tension", [](auto& s) { s.tension[3] += 1; });
-    expect("surface_forces", [](auto& s) { s.surface_forces.push_back({}); });
+    expect("surface_forces", [](auto& s) { s.surface_forces.push_back({0, Vec3::Zero(), Vec3::UnitZ(), 3}); });
     expect("progress", [](auto& s) { s.progress[0] += 0.1; });
     expect("bound", [](auto& s) { s.bound[3] *= 2; });
     expect("capsules", [](auto& s) { s.capsules.push_back({Vec3::Zero(), Vec3::UnitX(), 1}); });
@@ -235,8 +235,10 @@ TEST(HashOfAllCarried, SeesEachMemberOfAnElasticThread) {
     expect_shared_members_count(one);
     const auto expect = [&](const char* what, const auto& change) { expect_another_hash(one, what, change); };
     expect("asleep", [](auto& s) { s.asleep[3] = 1; });
-    expect("pressed", [](auto& s) { s.pressed.push_back({}); });
-    expect("sleeping", [](auto& s) { s.sleeping.push_back({}); });
+    expect("pressed", [](auto& s) { s.pressed.push_back(s.rows.at(0)); });
+    expect("sleeping", [](auto& s) {
+        s.sleeping.push_back({s.rows.at(0), {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()}});
+    });
     expect("watched", [](auto& s) { s.watched[3].x() += 1e-9; });
     expect("watched_ticks", [](auto& s) { s.watched_ticks += 1; });
     expect("rod", [](auto& s) { s.rod.split(3, 0.4); });

@@ -7,7 +7,7 @@
 
 // The audit is the witness of "nothing passed through". A witness that cannot say yes proves nothing, and one that
 // cries wolf stops a drill that went well.
-namespace {
+namespace audits {
 
 using namespace scene;
 using sim::geometry::Capsule;
@@ -81,4 +81,4 @@ TEST(Audit, CountsAThreadThatWentThroughASurfaceAndNotOneBesideIt) {
     EXPECT_EQ(audit(state), 0);
 }
 
-}  // namespace
+}  // namespace audits

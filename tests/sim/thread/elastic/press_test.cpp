@@ -7,7 +7,7 @@
 #include "sim/thread/elastic/find_presses.hpp"
 #include "sim/thread/elastic/press_solver.hpp"
 
-namespace {
+namespace presses {
 
 using sim::at;
 using sim::geometry::Vec3;
@@ -107,8 +107,6 @@ Vec3 pushed(State& state) {
     return sum;
 }
 
-}  // namespace
-
 // A thread that rests on a wall where two of its triangles meet is now nearer to one and now to the other. What it
 // presses with, and what of that sticks, is the wall's; to another that faces another way it is nothing.
 TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
@@ -166,3 +164,5 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         EXPECT_TRUE(sum > push.norm() && std::isfinite(sum)) << "too near, they push";
     }
 }
+
+}  // namespace presses

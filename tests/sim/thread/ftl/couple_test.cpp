@@ -7,7 +7,7 @@
 #include "sim/thread/ftl/coupled_solver.hpp"
 #include "tests/sim/thread/scene.hpp"
 
-namespace {
+namespace coupling {
 
 using namespace scene;
 using sim::thread::ftl::CoupledSolver;
@@ -73,4 +73,4 @@ TEST(Couple, LengthsAreKept) {
     }
 }
 
-}  // namespace
+}  // namespace coupling
