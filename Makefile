@@ -2,7 +2,7 @@
 JOBS := $(shell nproc)
 DRILL := interrupted-stitch
 
-.PHONY: demo test build bench format hashes clean packages
+.PHONY: demo test build bench format hashes mutants clean packages
 .DEFAULT_GOAL := build
 
 build: packages
@@ -44,6 +44,10 @@ hashes: build
 	CARREL_RENEW_HASHES=1 CARREL_LONG_HASHES=1 ctest --test-dir build -j$(JOBS) -R 'Hashes' -V | sed -n 's/^.*hash:\([a-z]*\)/\1/p' | \
 	  sort -t, -k1,1 -k2,2 -k3,3n > build/hashes.csv
 	mv build/hashes.csv tests/hashes/hashes.csv
+
+# Small faults, one at a time in a scratch copy: which does a test notice? An hour or two.
+mutants: packages
+	tests/mutants/run.py
 
 format:
 	@tools/packages.sh git clang-format
