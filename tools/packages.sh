@@ -20,6 +20,7 @@ packages=(
     nlohmann-json3-dev libcli11-dev libsqlite3-dev libzstd-dev
     libssl-dev        # SHA-256
     libgtest-dev libbenchmark-dev
+    git python3       # tools/lint and its tests
     "$@"
 )
 
