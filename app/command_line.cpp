@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/build_info.hpp"
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
 #include "app/one_line.hpp"
@@ -148,26 +149,17 @@ void add_rope(CLI::App& program, Chosen& chosen) {
     command->callback([=, &chosen] { chosen = [o] { return rope_command(*o); }; });
 }
 
-void add_bench(CLI::App& program, Chosen& chosen) {
-    auto* command = program.add_subcommand(
-        "bench", "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
-    auto options = std::make_shared<BenchOptions>();
-    command
-        ->add_option("SUITE", options->suite,
-                     "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties or knots")
-        ->required();
-    command->add_flag("--quick", options->quick, "Once and without the longest: seconds, of tissue a minute or two");
-    command->add_option("--plot", options->plot,
-                        "Pictures of speed against error to write: a file (.svg), or of speed-vs-error a folder");
-    command->add_flag("--json", options->json, "One JSON object on stdout");
-    command->callback([=, &chosen] { chosen = [options] { return bench_command(*options); }; });
+// Listed only: what follows it is handed on.
+void add_bench(CLI::App& program, Chosen&) {
+    program.add_subcommand("bench",
+                           "Measure the tables of docs/ again, on this machine; exit 3 when a bound is missed");
 }
 
 }  // namespace
 
 std::function<int()> asked_for(int argc, char** argv) {
     CLI::App program{"Carrel: a surgical suturing trainer. A thread that can be tied, pulled tight and named."};
-    program.set_version_flag("--version", "carrel " CARREL_VERSION, "Print the version");
+    program.set_version_flag("--version", "carrel " + version(), "Print the version");
     program.require_subcommand(1);
     program.failure_message(usage_fault);
     Chosen chosen;
@@ -175,6 +167,8 @@ std::function<int()> asked_for(int argc, char** argv) {
          {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope, add_bench})
         add(program, chosen);
     if (argc > 1) expect_command(program, argv[1]);
+    if (argc > 1 && std::string(argv[1]) == "bench")
+        return [arguments = std::vector<std::string>(argv + 2, argv + argc)] { return bench_command(arguments); };
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,13 +1,10 @@
 #pragma once
-#include <stdexcept>
+#include "scenarios/session/fault.hpp"
 
 namespace app {
 
-/// A file or a person is at fault: one line "file:line:column: error: where: what is wrong, what would be right".
-/// Exit 2.
-struct InputFault : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+/// A file or a person is at fault. Exit 2.
+using scenarios::session::InputFault;
 
 /// A check that was asked for did not hold. Exit 3.
 struct CheckFailed : std::runtime_error {

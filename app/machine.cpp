@@ -1,5 +1,7 @@
 #include "app/machine.hpp"
 
+#include <time.h>
+
 #include <fstream>
 #include <thread>
 
@@ -14,6 +16,12 @@ std::string machine_name() {
             break;
         }
     return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores";
+}
+
+double processor_us() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace app

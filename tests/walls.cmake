@@ -9,7 +9,8 @@ endif()
 # Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room. A room within
 # another comes before it: a file is of the first room that its path begins with.
 set(rooms sim/geometry sim/rod sim/thread/contact sim/thread/ftl sim/thread/elastic sim/thread sim/knot tissue instruments assets
-    scenarios/world scenarios/drill scenarios/recording app)
+    scenarios/world scenarios/drill scenarios/recording scenarios/session app
+    tests/bench/lab tests/bench/suites tests/bench/peers)
 set(values sim/geometry/ instruments/tool[.]hpp)  # what a drill or a recording is made of: points, poses and jaws
 set(sim/rod_sees sim/geometry/)
 set(sim/thread/contact_sees sim/geometry/ sim/thread/def[.]hpp)
@@ -23,12 +24,16 @@ set(assets_sees sim/geometry/)
 set(scenarios/world_sees sim/ tissue/ instruments/ assets/)
 set(scenarios/drill_sees ${values} scenarios/world/)
 set(scenarios/recording_sees ${values} scenarios/world/ scenarios/drill/result[.]hpp)
+set(scenarios/session_sees sim/ tissue/ instruments/ assets/ scenarios/)
 set(app_sees sim/ tissue/ instruments/ assets/ scenarios/)
+set(tests/bench/lab_sees sim/ tissue/ instruments/ assets/ scenarios/)
+set(tests/bench/peers_sees sim/geometry/ tests/bench/lab/)
+set(tests/bench/suites_sees sim/ tissue/ instruments/ assets/ scenarios/ tests/bench/)
 
 # A library's headers and the only rooms (regular expressions on the file) that may include them.
 set(libraries Bullet assimp graphics SQLite zstd JSON OpenSSL)
 set(Bullet_headers "bullet/|bt[A-Z]|(Bullet|Linear)[A-Za-z]*/")
-set(Bullet_rooms "^instruments/")
+set(Bullet_rooms "^(instruments|tests/bench/peers)/")
 set(assimp_headers "assimp/")
 set(assimp_rooms "^assets/")
 set(graphics_headers "GL/|GLES|EGL/|png[.]h|SDL|imgui|CLI/")
@@ -38,7 +43,7 @@ set(SQLite_rooms "^scenarios/recording/")
 set(zstd_headers "zstd")
 set(zstd_rooms "^scenarios/recording/")
 set(JSON_headers "nlohmann/")
-set(JSON_rooms "^(scenarios/drill|app)/")
+set(JSON_rooms "^(scenarios/drill|app|tests)/")
 set(OpenSSL_headers "openssl/")
 set(OpenSSL_rooms "^scenarios/drill/")
 

@@ -68,11 +68,8 @@ struct RopeOptions {
 };
 int rope_command(const RopeOptions& options);
 
-/// Measures on this machine what the tables of docs/ say.
-struct BenchOptions {
-    std::string suite, plot;
-    bool json = false, quick = false;
-};
-int bench_command(const BenchOptions& options);
+/// Becomes the program carrel-bench, beside this one or on the path; the arguments are its own. Throws
+/// std::runtime_error where it is neither.
+int bench_command(const std::vector<std::string>& arguments);
 
 }  // namespace app

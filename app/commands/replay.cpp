@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/fault.hpp"
+#include "app/machine.hpp"
 #include "app/play/output.hpp"
 #include "app/play/recorded.hpp"
 #include "app/progress.hpp"
@@ -86,10 +87,11 @@ void compare(const std::string& file, const char* what, const All& stored, const
 int replay_command(const ReplayOptions& options) {
     if (!options.out.empty()) expect_output(options.out, {options.recording});
     const auto [recording, drill] = load_recorded(options.recording);
-    Session session(drill, recording.tick(0));
+    Session session(drill, recording.tick(0), processor_us);
     const bool scores_asked_for = !options.verify || !options.out.empty() || options.json;
     const auto [compared, difference] = play(session, recording, scores_asked_for);
     auto result = session.finish();
+    result.machine = machine_name();
     result.finished = recording.finished;
     result.passed = result.passed && recording.finished;
     if (!options.out.empty()) write_output(options.out, session, result, {});

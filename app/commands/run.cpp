@@ -3,11 +3,13 @@
 #include <iostream>
 #include <optional>
 
+#include "app/build_info.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/tool_starts.hpp"
 #include "app/commands/warnings.hpp"
 #include "app/fault.hpp"
 #include "app/files.hpp"
+#include "app/machine.hpp"
 #include "app/play/output.hpp"
 #include "app/play/recorded.hpp"
 #include "app/progress.hpp"
@@ -26,7 +28,7 @@ std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& op
     const std::filesystem::path file = options.record;
     if (file.has_parent_path()) make_folder("--record", file.parent_path());
     expect_writable("--record", file);
-    return scenarios::recording::Recorder(file, {drill.text, options.drill, CARREL_VERSION, drill.world.tick_s,
+    return scenarios::recording::Recorder(file, {drill.text, options.drill, version(), drill.world.tick_s,
                                                  instrument_names(drill), assets_of(drill.world)});
 }
 
@@ -90,15 +92,16 @@ int run_command(const RunOptions& options) {
 
     std::vector<ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);
-    check_tool_starts(drill, vessel_meshes(drill.world), start, motion_file.string());
-    Session session(drill, start);
+    check_tool_starts(drill, scenarios::session::vessel_meshes(drill.world), start, motion_file.string());
+    Session session(drill, start, processor_us);
     if (!options.out.empty()) expect_output(options.out, {options.drill, motion_file, options.record});
     auto recorder = open_recorder(options, drill);
 
     const double length_s = std::min(motion.duration() + scenarios::drill::settling_s, drill.time_limit_s);
     const auto frames = play(session, motion, static_cast<std::uint64_t>(std::ceil(length_s / drill.world.tick_s)),
                              options.frames, recorder);
-    const auto result = session.finish();
+    auto result = session.finish();
+    result.machine = machine_name();
     if (recorder) {
         recorder->set_scores(result.items);
         recorder->finish();

@@ -5,7 +5,9 @@
 #include "app/commands/tool_starts.hpp"
 #include "app/commands/warnings.hpp"
 #include "app/fault.hpp"
-#include "app/play/scene.hpp"
+#include "scenarios/drill/drill.hpp"
+#include "scenarios/drill/motion.hpp"
+#include "scenarios/session/scene.hpp"
 
 namespace app {
 
@@ -14,8 +16,8 @@ namespace {
 // Returns what to warn of.
 std::vector<std::string> check(const std::string& file) {
     const scenarios::drill::Drill drill = scenarios::drill::load_drill(file);
-    const auto rigid = vessel_meshes(drill.world);
-    with_walls(drill.world);
+    const auto rigid = scenarios::session::vessel_meshes(drill.world);
+    scenarios::session::with_walls(drill.world);
     std::vector<std::string> sentences = missed_effects(drill);
     const auto add = [&](const std::vector<std::string>& more) {
         sentences.insert(sentences.end(), more.begin(), more.end());

@@ -3,9 +3,12 @@
 #include <initializer_list>
 #include <vector>
 
-#include "app/play/session.hpp"
+#include "scenarios/session/session.hpp"
 
 namespace app {
+
+using scenarios::session::Session;
+using scenarios::session::Snapshot;
 
 /// PNG bytes of the scene at a snapshot: the operative field with all jaws, or the snapshot's knot from near.
 std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot);

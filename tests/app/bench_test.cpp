@@ -4,14 +4,14 @@
 #include <set>
 #include <sstream>
 
-#include "app/bench/gauge.hpp"
-#include "app/bench/plot.hpp"
-#include "app/bench/print.hpp"
-#include "app/bench/shape.hpp"
-#include "app/bench/speed.hpp"
-#include "app/bench/tissue.hpp"
 #include "sim/geometry/closest_points.hpp"
 #include "sim/knot/namer.hpp"
+#include "tests/bench/lab/gauge.hpp"
+#include "tests/bench/lab/shape.hpp"
+#include "tests/bench/suites/plot.hpp"
+#include "tests/bench/suites/print.hpp"
+#include "tests/bench/suites/speed.hpp"
+#include "tests/bench/suites/tissue.hpp"
 #include "tests/program.hpp"
 
 namespace {
@@ -22,22 +22,22 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-using app::bench::Gauge;
-using app::bench::Must;
-using app::bench::Row;
-using app::bench::Suite;
+using bench::lab::Gauge;
+using bench::lab::Must;
+using bench::lab::Row;
+using bench::lab::Suite;
 using nlohmann::json;
 using sim::geometry::Vec3;
 
 Row row(const std::string& id, double value, std::optional<double> bound = {}, Must must = Must::be_at_most) {
-    Row made = app::bench::told(id, "a figure", value, "us", 0.5);
+    Row made = bench::suites::told(id, "a figure", value, "us", 0.5);
     made.bound = bound, made.must = must;
     return made;
 }
 
 json printed(const Suite& suite) {
     std::ostringstream out;
-    app::bench::print_json(out, suite, {"a machine", "a build"});
+    bench::suites::print_json(out, suite, {"a machine", "a build"});
     return json::parse(out.str());
 }
 
@@ -72,11 +72,11 @@ TEST(Bench, RowsArePrintedAsTheContractSays) {
 
 TEST(Bench, WhatMissesItsBoundIsNamed) {
     const Suite good{"speed", {row("a", 1), row("b", 2, 2), row("c", 2, 2, Must::be_at_least)}};
-    EXPECT_EQ(app::bench::missed(good), "");
+    EXPECT_EQ(bench::suites::missed(good), "");
     const Suite bad{"speed", {row("a", 2.1, 2), row("b", 1), row("c", 1.9, 2, Must::be_at_least), row("d", NAN, 2)}};
-    EXPECT_EQ(app::bench::missed(bad), "a, c, d");
+    EXPECT_EQ(bench::suites::missed(bad), "a, c, d");
     std::ostringstream table;
-    app::bench::print_table(table, bad, {"a machine", "a build"});
+    bench::suites::print_table(table, bad, {"a machine", "a build"});
     EXPECT_NE(table.str().find("<= 2   MISSED"), std::string::npos) << table.str();
     EXPECT_NE(table.str().find(">= 2   MISSED"), std::string::npos) << table.str();
 }
@@ -86,7 +86,7 @@ TEST(Bench, TheOverhandIsATrefoilOfEqualLinks) {
     for (const int links : {100, 201, 1000}) {
         SCOPED_TRACE(links);
         const double link = 1.0 / links;
-        const std::vector<Vec3> nodes = app::bench::overhand(links, 1);
+        const std::vector<Vec3> nodes = bench::lab::overhand(links, 1);
         ASSERT_EQ(nodes.size(), static_cast<std::size_t>(links) + 1);
         for (std::size_t i = 1; i < nodes.size(); ++i)
             ASSERT_NEAR((nodes[i] - nodes[i - 1]).norm(), link, 1e-12);  // rounding at 1 m
@@ -105,7 +105,7 @@ TEST(Bench, TheSmallestGapIsThatOfEveryPair) {
     std::normal_distribution<double> shake;
     for (const double share : {0.0, 0.2, 0.8}) {  // of a link
         SCOPED_TRACE(share);
-        std::vector<Vec3> nodes = app::bench::coil(links, 1, 5, 1.05);
+        std::vector<Vec3> nodes = bench::lab::coil(links, 1, 5, 1.05);
         for (Vec3& p : nodes) p += share * Vec3(shake(random), shake(random), shake(random));
         double least = 3;
         constexpr std::size_t neighbours = 3;  // ceil(pi / 2) + 1, as thick as long
@@ -119,7 +119,7 @@ TEST(Bench, TheSmallestGapIsThatOfEveryPair) {
 }
 
 TEST(Bench, WhatIsNoPlaceHasNoFigures) {
-    std::vector<Vec3> nodes = app::bench::overhand(100, 1);
+    std::vector<Vec3> nodes = bench::lab::overhand(100, 1);
     nodes[50].x() = NAN;
     const Gauge gauge(std::vector<double>(100, 0.01), 0.01);
     EXPECT_TRUE(std::isnan(gauge.stretch(nodes)));
@@ -133,7 +133,7 @@ TEST(Bench, ThePictureOfTissueShowsErrorsOverCosts) {
                 {row(step + "-off", 1.5), row("pressure-axial100-n16-growth", 4), row("edge-100mN-n16", 5),
                  row("bite-100mN-n16", 6)}};
     const auto points = [&] {
-        const std::string drawn = app::bench::tissue_picture(suite);
+        const std::string drawn = bench::suites::tissue_picture(suite);
         int count = 0;
         for (auto at = drawn.find("<circle"); at != std::string::npos; at = drawn.find("<circle", at + 1)) ++count;
         return count;
@@ -141,7 +141,7 @@ TEST(Bench, ThePictureOfTissueShowsErrorsOverCosts) {
     EXPECT_EQ(points(), 0) << "costs are not known";
     suite.rows.push_back(row(step + "-mean", 300));
     EXPECT_EQ(points(), 4);
-    EXPECT_NE(app::bench::tissue_picture(suite).find(">8</text>"), std::string::npos) << "factored in 8 steps";
+    EXPECT_NE(bench::suites::tissue_picture(suite).find(">8</text>"), std::string::npos) << "factored in 8 steps";
 }
 
 TEST(Bench, ASuiteThatThereIsNotIsAFaultOfTheCaller) {
@@ -209,9 +209,9 @@ TEST(Bench, SpeedVsErrorAsksBothThreadsTheSame) {
 
 // Ten times as much is as far along a logarithmic axis everywhere, and what has no logarithm is left out.
 TEST(Bench, APlotWithTwoLogarithmicAxesHasEvenDecades) {
-    const app::bench::Series series{"a thread",
-                                    {{1, 0.1, "first"}, {10, 1, "second"}, {100, 10, "third"}, {10, 0, "none"}}};
-    const std::string picture = app::bench::svg({{"cost", "error", {series}, true}}), start = "<polyline points=\"";
+    const bench::suites::Series series{"a thread",
+                                       {{1, 0.1, "first"}, {10, 1, "second"}, {100, 10, "third"}, {10, 0, "none"}}};
+    const std::string picture = bench::suites::svg({{"cost", "error", {series}, true}}), start = "<polyline points=\"";
     std::istringstream points(picture.substr(picture.find(start) + start.size()));
     double x[3], y[3];
     char comma;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/plastic_set.hpp"
 #include "app/commands/effects.hpp"
 #include "scenarios/world/world.hpp"
+#include "tests/bench/lab/plastic_set.hpp"
 
 // What `carrel explain` predicts, against small drills with the effect on and off: right to within a factor of 3, as
 // estimates are.
@@ -167,7 +167,7 @@ TEST(EffectsMeasured, Air) {
 
 // Laid about a strand of its own and let go of.
 TEST(EffectsMeasured, PlasticSet) {
-    using app::bench::springback;
-    expect_as_predicted(springback(1, app::bench::polypropylene_yield).found - springback(1, 0).found,
+    using bench::lab::springback;
+    expect_as_predicted(springback(1, bench::lab::polypropylene_yield).found - springback(1, 0).found,
                         predicted("plastic_set", drill(30, "{}")));
 }

@@ -4,15 +4,16 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/bench/hard_case.hpp"
-#include "app/bench/stability.hpp"
-#include "app/bench/trace.hpp"
 #include "scenarios/drill/file.hpp"
 #include "scenarios/drill/waypoints.hpp"
+#include "tests/bench/lab/hard_case.hpp"
+#include "tests/bench/lab/trace.hpp"
+#include "tests/bench/suites/stability.hpp"
 
 namespace {
 
-using namespace app::bench;
+using namespace bench::lab;
+using namespace bench::suites;
 using nlohmann::json;
 
 // A scene with everything that conditions look at: held ends, a tool, a wall, broken input.
@@ -119,7 +120,8 @@ TEST_P(Motions, MoveAsTheirWaypointsSay) {
     EXPECT_GT(count, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, Motions, testing::Values(CARREL_HARD_CASES, CARREL_DRILLS));
+INSTANTIATE_TEST_SUITE_P(Shipped, Motions,
+                         testing::Values(CARREL_SOURCE "/tests/hard_cases", CARREL_SOURCE "/scenarios/drills"));
 
 // A condition that cannot fail proves nothing. Each kind, asked for less and for more than what it measures, must miss
 // once and only once; and be no number that every bound lets pass.

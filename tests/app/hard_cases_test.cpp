@@ -4,13 +4,14 @@
 #include <iostream>
 #include <sstream>
 
-#include "app/bench/stability.hpp"
-#include "app/bench/trace.hpp"
 #include "scenarios/drill/file.hpp"
+#include "tests/bench/lab/trace.hpp"
+#include "tests/bench/suites/stability.hpp"
 
 namespace {
 
-using namespace app::bench;
+using namespace bench::lab;
+using namespace bench::suites;
 
 std::string told(const Outcome& outcome) {
     const ConditionKind& kind = condition_kind(outcome.condition.is);
@@ -45,6 +46,7 @@ std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, HardCases, testing::ValuesIn(hard_case_files(CARREL_HARD_CASES)), name_of);
+INSTANTIATE_TEST_SUITE_P(Scenes, HardCases, testing::ValuesIn(hard_case_files(CARREL_SOURCE "/tests/hard_cases")),
+                         name_of);
 
 }  // namespace

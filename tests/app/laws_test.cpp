@@ -1,20 +1,20 @@
-#include "app/bench/laws.hpp"
+#include "tests/bench/lab/laws.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/capstan.hpp"
-#include "app/bench/clasp.hpp"
-#include "app/bench/loose_overhand.hpp"
-#include "app/bench/tight_elastic.hpp"
+#include "tests/bench/lab/capstan.hpp"
+#include "tests/bench/lab/clasp.hpp"
+#include "tests/bench/lab/loose_overhand.hpp"
+#include "tests/bench/lab/tight_elastic.hpp"
 
 // The laws of the thread as the benchmark measures them, in short versions. A bound that `carrel bench stability`
 // reports as missed is not asserted here.
 namespace {
 
-using namespace app::bench;
+using namespace bench::lab;
 
 // Friction that depends on the tick, the links or the angle would make a knot hold on one computer and slip on another.
 // Links of one and of half a thickness, at 250, 1000 and 4000 ticks a second: a seventh off the law is the bound of the

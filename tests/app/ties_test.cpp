@@ -1,14 +1,14 @@
-#include "app/bench/ties.hpp"
+#include "tests/bench/lab/ties.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/bench/hands.hpp"
-#include "app/bench/hitches.hpp"
 #include "sim/knot/namer.hpp"
+#include "tests/bench/lab/hands.hpp"
+#include "tests/bench/lab/hitches.hpp"
 
 namespace {
 
-using namespace app::bench;
+using namespace bench::lab;
 
 // A start that is not the knot it is called would make every later comparison worthless.
 TEST(Ties, LooseThreadsAreTheKnotsTheyAreCalled) {
@@ -44,8 +44,8 @@ TEST(Ties, TheSameSeedGivesTheSameBits) {
 // prusik too, which with their ends joined are not linked with the bar.
 TEST(Ties, BowlineAndHitchesAreNamedRoundABar) {
     for (const char* curve : {"p129", "p135", "p137", "p138"}) {
-        const app::bench::OnBar tied =
-            app::bench::hitch_on_bar(std::string(CARREL_SOURCE) + "/tests/data/curves", curve);
+        const bench::lab::OnBar tied =
+            bench::lab::hitch_on_bar(std::string(CARREL_SOURCE) + "/tests/data/curves", curve);
         EXPECT_EQ(tied.last, tied.expected);
         EXPECT_EQ(tied.other, 0) << tied.expected;
         EXPECT_EQ(tied.pass_throughs, 0) << tied.expected;

@@ -1,8 +1,8 @@
-#include "app/bench/tissue_thread.hpp"
+#include "tests/bench/suites/tissue_thread.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/bench/thread_in_tube.hpp"
+#include "tests/bench/lab/thread_in_tube.hpp"
 
 namespace {
 
@@ -11,7 +11,7 @@ namespace {
 TEST(TissueThread, DrawnThroughAHoleSlidesByCoulombsFriction) {
     constexpr double friction = 0.15, slow = 2e-3, way = 4e-3;
     for (const int bites : {1, 2})
-        EXPECT_NEAR(app::bench::slides_by(bites, true, friction, slow, way), friction, 0.15 * friction)
+        EXPECT_NEAR(bench::suites::slides_by(bites, true, friction, slow, way), friction, 0.15 * friction)
             << bites << " bites";
 }
 
@@ -20,13 +20,13 @@ TEST(TissueThread, DrawnThroughAHoleSlidesByCoulombsFriction) {
 TEST(TissueThread, SlidesByCoulombsFrictionByFollowTheLeader) {
     constexpr double friction = 0.15, usual = 10e-3, way = 5e-3;
     for (const int bites : {1, 2})
-        EXPECT_NEAR(app::bench::slides_by(bites, false, friction, usual, way), friction, 0.15 * friction)
+        EXPECT_NEAR(bench::suites::slides_by(bites, false, friction, usual, way), friction, 0.15 * friction)
             << bites << " bites";
 }
 
 // Once what was slack is taut, after some 5 mm, it used to jam there for good.
 TEST(TissueThread, FollowsThroughTenBites) {
-    app::bench::ThreadInTube scene({.bites = 10, .is_elastic = false});
+    bench::lab::ThreadInTube scene({.bites = 10, .is_elastic = false});
     double gone = 0;
     for (int i = 0; i < 1000; ++i) gone += scene.draw(true, 50e-6, 0);
     EXPECT_GT(gone, 10e-3);

@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "app/play/scene.hpp"
 #include "scenarios/drill/drill.hpp"
 #include "scenarios/drill/motion.hpp"
+#include "scenarios/session/scene.hpp"
 
 namespace {
 
@@ -36,7 +36,7 @@ struct WildHand {
 // does. 0.1 m/s is a quick instrument, 1 m/s a quick open hand.
 TEST(Chaos, WildHandsNeverBreakTheThread) {
     const auto drill = scenarios::drill::load_drill(CARREL_SOURCE "/scenarios/drills/square-knot.json");
-    const auto meshes = app::vessel_meshes(drill.world);
+    const auto meshes = scenarios::session::vessel_meshes(drill.world);
     const std::vector<std::string> names{"left", "right"};
     const auto motion = scenarios::drill::load_motion(drill.motion, names);
     for (const double speed : {0.1, 1.0}) {
@@ -44,7 +44,7 @@ TEST(Chaos, WildHandsNeverBreakTheThread) {
         std::mt19937 random(speed < 0.5 ? 1 : 2);
         std::vector<ToolInput> inputs(2);
         motion.at(0, inputs);
-        World world = app::make_world(drill.world, meshes, inputs);
+        World world = scenarios::session::make_world(drill.world, meshes, inputs);
         WildHand hands[] = {{random, speed, inputs[0]}, {random, speed, inputs[1]}};
         for (int tick = 0; tick < 1200; ++tick) {
             // First the long strand is grasped, as in the drill.

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "app/play/scene.hpp"
 #include "scenarios/drill/motion.hpp"
+#include "scenarios/session/scene.hpp"
 
 namespace {
 
@@ -50,7 +50,7 @@ Outcome play(const scenarios::drill::Drill& drill, const Motion& motion, const s
              double pace) {
     std::vector<ToolInput> inputs(drill.world.instruments.size());
     motion.at(0, inputs);
-    auto world = app::make_world(drill.world, app::vessel_meshes(drill.world), inputs);
+    auto world = scenarios::session::make_world(drill.world, scenarios::session::vessel_meshes(drill.world), inputs);
     const double tick_s = drill.world.tick_s, settling_s = 0.5;
     const auto ticks = static_cast<std::uint64_t>((motion.duration() + settling_s) / tick_s);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {

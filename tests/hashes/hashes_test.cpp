@@ -7,22 +7,16 @@
 #include <iostream>
 #include <map>
 
-#include "app/bench/ties.hpp"
-#include "app/bench/trace.hpp"
-#include "app/play/session.hpp"
 #include "scenarios/drill/motion.hpp"
+#include "scenarios/session/session.hpp"
+#include "tests/bench/lab/ties.hpp"
+#include "tests/bench/lab/trace.hpp"
 
 // State hashes of what is shipped: every drill, every hard case, two hundred ties. A change that means to keep the bits
 // keeps this table; one that means to change them renews it (`make hashes`) in the same commit and says why.
 namespace {
 
 namespace fs = std::filesystem;
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
 
 /// The table's rows: kind, name and place, such as "drill,square-knot,12", and the hash there.
 std::map<std::string, std::string> read_table() {
@@ -68,7 +62,6 @@ std::vector<fs::path> drill_files() {
 class DrillHashes : public testing::TestWithParam<fs::path> {};
 
 TEST_P(DrillHashes, AreThoseOfTheTable) {
-    if (sanitized) GTEST_SKIP() << "played as it ships; the sanitizers play drills in drills_test";
     const double until_s = std::getenv("CARREL_LONG_HASHES") ? 60 : 20;
     const auto drill = scenarios::drill::load_drill(GetParam());
     std::vector<std::string> names;
@@ -76,7 +69,7 @@ TEST_P(DrillHashes, AreThoseOfTheTable) {
     const auto motion = scenarios::drill::load_motion(drill.motion, names);
     std::vector<instruments::ToolInput> inputs(names.size());
     motion.at(0, inputs);
-    app::Session session(drill, inputs);
+    scenarios::session::Session session(drill, inputs);
     const double end_s = std::min(until_s, motion.duration());
     for (int tick = 0; tick * drill.world.tick_s < end_s; ++tick) {
         motion.at(tick * drill.world.tick_s, inputs);
@@ -93,22 +86,20 @@ INSTANTIATE_TEST_SUITE_P(Shipped, DrillHashes, testing::ValuesIn(drill_files()),
 class HardCaseHashes : public testing::TestWithParam<fs::path> {};
 
 TEST_P(HardCaseHashes, AreThoseOfTheTable) {
-    if (sanitized) GTEST_SKIP() << "played as it ships; the sanitizers play them in hard_cases_test";
-    const auto hard_case = app::bench::load_hard_case(GetParam());
+    const auto hard_case = bench::lab::load_hard_case(GetParam());
     for (std::size_t i = 0; i < hard_case.scenes.size(); ++i)
-        expect_hash("hard_case", hard_case.id, std::to_string(i), app::bench::play(hard_case.scenes[i]).hash);
+        expect_hash("hard_case", hard_case.id, std::to_string(i), bench::lab::play(hard_case.scenes[i]).hash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, HardCaseHashes, testing::ValuesIn(app::bench::hard_case_files(CARREL_HARD_CASES)),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, HardCaseHashes,
+                         testing::ValuesIn(bench::lab::hard_case_files(CARREL_SOURCE "/tests/hard_cases")), test_name);
 
 /// The last state of two hundred ties, in eight parts.
 class TieHashes : public testing::TestWithParam<int> {};
 
 TEST_P(TieHashes, AreThoseOfTheTable) {
-    const int seeds = sanitized ? 1 : 25;
-    for (int seed = 25 * GetParam(); seed < 25 * GetParam() + seeds; ++seed)
-        expect_hash("tie", "quick", std::to_string(seed), app::bench::ties(static_cast<std::uint64_t>(seed)).hash);
+    for (int seed = 25 * GetParam(); seed < 25 * (GetParam() + 1); ++seed)
+        expect_hash("tie", "quick", std::to_string(seed), bench::lab::ties(static_cast<std::uint64_t>(seed)).hash);
 }
 
 INSTANTIATE_TEST_SUITE_P(Quick, TieHashes, testing::Range(0, 8));

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/fault.hpp"
-#include "app/play/scene.hpp"
+#include "scenarios/session/scene.hpp"
 #include "tests/program.hpp"
 #include "tests/scenarios/drill/sample.hpp"
 
@@ -35,7 +35,7 @@ struct Start {
         const Quat down(0, 1, 0, 0);  // half a turn about x
         const ToolInput input{{turn * Vec3(0, 0, height), turn * (points_down ? down : Quat::Identity())}, jaw};
         try {
-            app::check_tool_starts(drill, app::vessel_meshes(drill.world), {&input, 1}, "m.csv");
+            app::check_tool_starts(drill, scenarios::session::vessel_meshes(drill.world), {&input, 1}, "m.csv");
             return "";
         } catch (const app::InputFault& fault) {
             return fault.what();
@@ -92,7 +92,7 @@ TEST(ToolStarts, ALumenThatIsWideEnoughIsNoWall) {
     drill.world.instruments.resize(1);
     const Quat along_x(std::sqrt(0.5), 0, std::sqrt(0.5), 0);
     const ToolInput inside{{Vec3(0.05, 0, 0), along_x}, 1};
-    app::check_tool_starts(drill, app::vessel_meshes(drill.world), {&inside, 1}, "m.csv");
+    app::check_tool_starts(drill, scenarios::session::vessel_meshes(drill.world), {&inside, 1}, "m.csv");
 }
 
 // In a solid block no surface is near, and the tool is in it all the same.

@@ -8,14 +8,14 @@
 #include <numbers>
 #include <string>
 
-#include "app/bench/needle_drive.hpp"
-#include "app/bench/random.hpp"
+#include "tests/bench/lab/needle_drive.hpp"
+#include "tests/bench/lab/random.hpp"
 
 namespace {
 
 using namespace tissue;
-using app::bench::Stitching;
-using app::bench::Swing;
+using bench::lab::Stitching;
+using bench::lab::Swing;
 
 constexpr double speed = 20e-3;
 const Swing down_and_out{{1.53e-3, 2.02e-3, 0.07e-3},
@@ -44,7 +44,7 @@ double off_rest(const Stitching& scene) {
 
 // `carrel bench tissue` has three speeds and three meshes.
 TEST(Bites, PierceAtTheirThreshold) {
-    EXPECT_NEAR(app::bench::drive_through({.puncture = 10e-3}, {}, 5e-3, true).entry / 10e-3, 1, 0.1);
+    EXPECT_NEAR(bench::lab::drive_through({.puncture = 10e-3}, {}, 5e-3, true).entry / 10e-3, 1, 0.1);
 }
 
 // A wall that gives way before the threshold has come, or is met flat, is gone through all the same: no wire is in it
@@ -53,7 +53,7 @@ TEST(Bites, NoNeedleIsInAWallWithoutAHole) {
     int through = 0, caved_in = 0;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        app::bench::Random random(seed);
+        bench::lab::Random random(seed);
         const double puncture = random.between(10e-3, 0.3);
         Stitching scene({.puncture = puncture}, {.around = 12, .through = 1, .near = 6, .far = 2});
         const double aslant = random.between(-1.2, 1.2), from_cut = random.between(0.3e-3, 2e-3),
@@ -93,7 +93,7 @@ TEST(Bites, NoNeedleIsInAWallWithoutAHole) {
 
 // D24.
 TEST(Bites, DoNotMoveTheWallAsideAlongTheNeedlesOwnArc) {
-    const auto driven = app::bench::drive_through({}, {}, speed, false);
+    const auto driven = bench::lab::drive_through({}, {}, speed, false);
     EXPECT_TRUE(driven.drawn);
     EXPECT_LT(driven.aside, 0.1 * 2 * Swing{}.wire);
 }
@@ -347,7 +347,7 @@ TEST(Bites, FollowFiveHundredRandomPaths) {
 #endif
     int bites = 0, through = 0, withdrawn = 0, drawn = 0, torn = 0, slipped = 0, paths = 0;
     for (std::uint64_t seed = 0; paths < most; ++seed) {
-        app::bench::Random random(seed);
+        bench::lab::Random random(seed);
         Stitching scene({.puncture = random.between(0.5e-3, 3e-3)}, {.around = 12, .through = 1, .near = 6, .far = 2});
         const int face = random.below(static_cast<int>(scene.mesh.faces.size()));
         Vec3 weights(random.between(0, 1), random.between(0, 1), random.between(0, 1));

@@ -6,13 +6,13 @@
 #include <cstring>
 #include <numbers>
 
-#include "app/bench/random.hpp"
+#include "tests/bench/lab/random.hpp"
 #include "tissue/tube.hpp"
 
 namespace {
 
 using namespace tissue;
-using app::bench::Random;
+using bench::lab::Random;
 
 constexpr double radius = 0.1e-3, edge = 0.5e-3;
 const double octagon = 8 * (std::sqrt(2.0) - 1) * radius * radius;

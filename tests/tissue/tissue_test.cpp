@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include "app/bench/tissue_cases.hpp"
-#include "app/bench/tissue_pull.hpp"
+#include "tests/bench/lab/tissue_cases.hpp"
+#include "tests/bench/lab/tissue_pull.hpp"
 #include "tissue/tube.hpp"
 
 namespace {
@@ -50,19 +50,19 @@ const Solver newton{.iterations = 50, .steps_per_factor = 0, .tolerance = 1e-10}
 
 // D19. What is left is what the wall's volume gives way.
 TEST(Material, FollowsANeoHookeanInThePatchTests) {
-    using app::bench::Deformation;
+    using bench::lab::Deformation;
     for (const double stretch : {0.8, 0.9, 1.05, 1.1, 1.2, 1.3, 1.5, 2.0})
         for (const Deformation mode : {Deformation::uniaxial, Deformation::equibiaxial, Deformation::pure_shear}) {
             SCOPED_TRACE(testing::Message() << stretch << " " << static_cast<int>(mode));
-            EXPECT_LE(std::abs(app::bench::patch_stress(mode, stretch).error()), 0.02);
+            EXPECT_LE(std::abs(bench::lab::patch_stress(mode, stretch).error()), 0.02);
         }
 }
 
 // D17 and D18; `carrel bench tissue` has all of their loads.
 TEST(Material, FillsAndStretchesTubesAsTheoryHasIt) {
     for (const double axial : {1.0, 1.2})
-        EXPECT_LE(std::abs(app::bench::inflated_radius({}, 1.3, axial).error()), 0.05);
-    EXPECT_LE(std::abs(app::bench::clamped_force({}, 1.2).error()), 0.05);
+        EXPECT_LE(std::abs(bench::lab::inflated_radius({}, 1.3, axial).error()), 0.05);
+    EXPECT_LE(std::abs(bench::lab::clamped_force({}, 1.2).error()), 0.05);
 }
 
 // E22: cells a hundred times as long as thick, or as thick as long; vessels of 1 and of 20 mm.
@@ -70,16 +70,16 @@ TEST(Material, FillsTubesOfThinCellsAndOfAnySize) {
     for (const double aspect : {0.01, 100.0})
         for (const double scale : {0.2, 4.0}) {
             SCOPED_TRACE(testing::Message() << aspect << " " << scale);
-            EXPECT_LE(std::abs(app::bench::inflated_radius({.aspect = aspect, .scale = scale}, 1.3, 1).error()), 0.1);
+            EXPECT_LE(std::abs(bench::lab::inflated_radius({.aspect = aspect, .scale = scale}, 1.3, 1).error()), 0.1);
         }
 }
 
 // Where each tetrahedron keeps its own volume, a wall can hardly bend.
 TEST(Material, DoesNotLock) {
-    using app::bench::VesselPull;
+    using bench::lab::VesselPull;
     constexpr double force = 0.02;
     const auto moved = [&](double finer, bool locks) {
-        return app::bench::pulled(VesselPull(app::bench::vessel(finer), locks), force).edge;
+        return bench::lab::pulled(VesselPull(bench::lab::vessel(finer), locks), force).edge;
     };
     const Vec3 finer = moved(1.5, false);
     EXPECT_LE((moved(1, false) - finer).norm(), 0.05 * finer.norm());

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "app/bench/random.hpp"
 #include "sim/knot/table.hpp"
+#include "tests/bench/lab/random.hpp"
 #include "tests/sim/knot/ropes.hpp"
 
 // Names checked by a slow plain way that shares no code with them: Alexander's polynomial at two numbers modulo a
 // prime, from every crossing of one raw view, by elimination; and the same of what the name says.
 
-using app::bench::Random;
+using bench::lab::Random;
 using ropes::Rope;
 using ropes::Vec3;
 

@@ -68,7 +68,7 @@ TEST(Diagram, SimplificationKeepsThePolynomial) {
 
 // Cutting off summands: the polynomial of the whole is the product of theirs.
 TEST(Diagram, SummandsMultiply) {
-    const auto rope = app::bench::tied({{1, true}, {2, false}, {1, true}});
+    const auto rope = bench::lab::tied({{1, true}, {2, false}, {1, true}});
     Diagram diagram = project({rope}, Vec3(0.1, 1, 0.2).normalized(), 1000).value();
     const auto whole = homfly_of(diagram);
     simplify(diagram);

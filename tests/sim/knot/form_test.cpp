@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/capsized.hpp"
+#include "tests/bench/lab/capsized.hpp"
 #include "tests/sim/knot/ropes.hpp"
 
-using app::bench::Pull;
-using app::bench::pulled;
+using bench::lab::Pull;
+using bench::lab::pulled;
 using sim::knot::unevenness;
 
 // The same square or granny knot lies flat when both tails are pulled, and capsizes round a strand that is pulled

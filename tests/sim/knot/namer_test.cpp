@@ -65,7 +65,7 @@ TEST(Namer, ReadsThrowsFromTheLoopOutwards) {
         {{R, L, R, L}, "1=1=1=1", "square + square + square"}};
     for (const auto& [throws, notation, surgical] : cases) {
         SCOPED_TRACE(notation);
-        const auto name = name_knot(app::bench::tied(throws));
+        const auto name = name_knot(bench::lab::tied(throws));
         EXPECT_EQ(name.throws, notation);
         EXPECT_EQ(name.surgical, surgical);
         EXPECT_TRUE(name.certain);
@@ -78,7 +78,7 @@ TEST(Namer, ReadsThrowsFromTheLoopOutwards) {
 
 // Two overhand knots of opposite hands further along the same thread have the type of a square knot and are none.
 TEST(Namer, KnotsOneAfterTheOtherAreNoThrows) {
-    const auto name = name_knot(joined(app::bench::tied({R}), app::bench::tied({L}), Vec3(20, 0, 0)));
+    const auto name = name_knot(joined(bench::lab::tied({R}), bench::lab::tied({L}), Vec3(20, 0, 0)));
     EXPECT_EQ(name.knot, "3_1#m3_1");
     EXPECT_EQ(name.throws, "");
 }
@@ -190,7 +190,7 @@ TEST(Namer, SeparateComponentsAreSplit) {
 
 // An open pole through a knot on a thread: the thread's loop goes round it once.
 TEST(Namer, AKnotRoundAPoleIsLinkedToIt) {
-    const auto link = name_link({{app::bench::tied({R, L}), false}, {{Vec3(0, -30, -3), Vec3(0, 30, -3)}, false}});
+    const auto link = name_link({{bench::lab::tied({R, L}), false}, {{Vec3(0, -30, -3), Vec3(0, 30, -3)}, false}});
     EXPECT_EQ(link.name.knot, "L2a1#3_1#m3_1");
     EXPECT_EQ(link.name.surgical, "square");
     EXPECT_EQ(link.linking_numbers, std::vector<int>{1});
@@ -236,7 +236,7 @@ TEST(Namer, WhatLooksKnottedFromOneSideIsNoSlipKnot) {
 // T(2, 11) has eleven crossings and is not in the table. A thread with it and a trefoil is not told for certain,
 // whichever comes first: a goal asks for nothing but that.
 TEST(Namer, ASumIsCertainIfAllOfItIs) {
-    const Rope unlisted = app::bench::tied({{5, true}}), trefoil = app::bench::tied({R});
+    const Rope unlisted = bench::lab::tied({{5, true}}), trefoil = bench::lab::tied({R});
     const Vec3 aside(20, 0, 0);
     for (const Rope& sum : {joined(unlisted, trefoil, aside), joined(trefoil, unlisted, aside)}) {
         const auto name = name_knot(sum);

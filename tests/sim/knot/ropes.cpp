@@ -7,7 +7,7 @@ namespace ropes {
 constexpr double pi = std::numbers::pi;
 
 std::vector<Labelled> labelled(const std::string& id) {
-    return app::bench::labelled_curves(std::string(CARREL_SOURCE) + "/tests/data/curves", id);
+    return bench::lab::labelled_curves(std::string(CARREL_SOURCE) + "/tests/data/curves", id);
 }
 
 Rope torus_knot(int n) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/curves.hpp"
-#include "app/bench/throws.hpp"
 #include "sim/knot/namer.hpp"
+#include "tests/bench/lab/curves.hpp"
+#include "tests/bench/lab/throws.hpp"
 
 // Curves whose type is known: drawn from a formula, or read from tests/data/curves.
 namespace ropes {
@@ -16,7 +16,7 @@ using sim::knot::Component;
 using sim::knot::Vec3;
 using Rope = std::vector<Vec3>;
 
-using Labelled = app::bench::LabelledCurve;
+using Labelled = bench::lab::LabelledCurve;
 
 /// All of tests/data/curves/labels.json; only the one named `id` when given.
 std::vector<Labelled> labelled(const std::string& id = "");

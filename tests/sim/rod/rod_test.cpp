@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "app/bench/rod_capstan.hpp"
-#include "app/bench/rod_cases.hpp"
+#include "tests/bench/lab/rod_capstan.hpp"
+#include "tests/bench/lab/rod_cases.hpp"
 
 namespace rods {
 
@@ -100,7 +100,7 @@ TEST(ChainMatrix, SaysWhenItIsNotPositive) {
 // Every closed form of `carrel bench accuracy`, at the resolution where it must hold. Chains that swing take long; one
 // tick is enough here.
 TEST(Rod, AgreesWithClosedForms) {
-    for (const app::bench::RodCase& c : app::bench::rod_cases()) {
+    for (const bench::lab::RodCase& c : bench::lab::rod_cases()) {
         if (c.id == "swing-250us") continue;
         EXPECT_LT(std::abs(c.at(c.bound_links).error()), c.bound) << c.what;
     }
@@ -165,10 +165,10 @@ TEST(Rod, SlidesOverACylinderAsACapstanDoes) {
     constexpr double pi = 3.14159265358979, degree = pi / 180;
     for (const auto& [friction, wrap, tick] :
          {std::tuple(0.1, pi / 2, 1e-3), std::tuple(0.3, 2 * pi, 4e-3), std::tuple(0.2, 4 * pi, 4e-3)})
-        EXPECT_LT(std::abs(app::bench::rod_capstan(friction, wrap, 20 * degree, tick).error()), 0.05)
+        EXPECT_LT(std::abs(bench::lab::rod_capstan(friction, wrap, 20 * degree, tick).error()), 0.05)
             << friction << ' ' << wrap;
-    EXPECT_LT(app::bench::rod_slides(0.2, pi, 10 * degree, 0.95), 1e-6);
-    EXPECT_GT(app::bench::rod_slides(0.2, pi, 10 * degree, 1.05), 1);
+    EXPECT_LT(bench::lab::rod_slides(0.2, pi, 10 * degree, 0.95), 1e-6);
+    EXPECT_GT(bench::lab::rod_slides(0.2, pi, 10 * degree, 1.05), 1);
 }
 
 // With contacts solved once a tick: in ticks of 4 ms normals that stay where the tick began drag by 7 % more, and at
@@ -177,7 +177,7 @@ TEST(Rod, SlidesOverACylinderAsACapstanDoes) {
 TEST(ElasticThread, SlidesOverACylinderAsACapstanDoes) {
     constexpr double pi = 3.14159265358979, degree = pi / 180;
     for (const auto& [friction, tick] : {std::tuple(0.1, 4e-3), std::tuple(0.3, 1e-3), std::tuple(0.3, 4e-3)})
-        EXPECT_LT(std::abs(app::bench::elastic_capstan(friction, 4 * pi, 20 * degree, tick).error()), 0.03)
+        EXPECT_LT(std::abs(bench::lab::elastic_capstan(friction, 4 * pi, 20 * degree, tick).error()), 0.03)
             << friction << ' ' << tick;
 }
 

@@ -79,7 +79,7 @@ TEST(Allocation, ATickAllocatesNothingOnceItsBuffersHaveGrown) {
 // Links come and go while a knot is drawn tight and let go again.
 TEST(Allocation, ChangingLinksAllocatesNothing) {
     Thread thread({.shortest_link = 2 * radius}, overhand(60, 8 * radius));
-    app::bench::Apart pull(thread);
+    bench::lab::Apart pull(thread);
     const auto play = [&] {
         for (int i = 0; i < 1200; ++i) pull.by(thread, i < 600 ? 0.05e-3 : -0.05e-3);
     };

@@ -38,7 +38,7 @@ TEST(Links, ChangingThemMovesNeitherTheThreadNorWhatIsHeld) {
     Thread thread = long_links(2 * radius);
     const double whole = length(thread);
     const std::string knot = sim::knot::name_knot(copy_of(thread)).knot;
-    app::bench::Apart pull(thread);
+    bench::lab::Apart pull(thread);
     std::size_t most = 0;
     int changes = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -65,8 +65,8 @@ TEST(Links, ChangingThemMovesNeitherTheThreadNorWhatIsHeld) {
 TEST(Links, AKnotPulledTightHasShortOnes) {
     Thread fitted = long_links(2 * radius), unfitted = long_links(0);
     for (Thread* thread : {&fitted, &unfitted}) {
-        app::bench::Apart pull(*thread);
-        app::bench::tighten(*thread, pull, 0.05, 4000);
+        bench::lab::Apart pull(*thread);
+        bench::lab::tighten(*thread, pull, 0.05, 4000);
     }
     EXPECT_LT(taken_up(fitted), 0.6 * taken_up(unfitted));
     EXPECT_EQ(unfitted.rest_lengths().size(), 60u);
@@ -85,10 +85,10 @@ TEST(Links, WhatIsPulledStraightHasLongOnesAgain) {
     const Vec3 on = (bent.back() - bent[bent.size() - 2]).normalized();
     for (int i = 1; i <= 30; ++i) bent.push_back(bent[38] + i * long_link * on);
     Thread thread({.shortest_link = 2 * radius}, sim::geometry::resample(bent, 64));
-    app::bench::Hands hands(thread);
+    bench::lab::Hands hands(thread);
     for (int i = 0; i < 3; ++i) hands.fit_links(thread);
     const std::size_t when_bent = thread.rest_lengths().size();
-    app::bench::Apart pull(thread);
+    bench::lab::Apart pull(thread);
     for (int i = 0; i < 3000; ++i) pull.by(thread, 0.05e-3);
     EXPECT_GT(when_bent, 68u);
     EXPECT_LE(thread.rest_lengths().size(), 67u);  // a half may be left over on either side

@@ -1,4 +1,4 @@
-#include "app/bench/plastic_set.hpp"
+#include "tests/bench/lab/plastic_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include "tests/sim/thread/scene.hpp"
 
 using namespace sim::thread;
+using bench::lab::polypropylene_yield;
+using bench::lab::springback;
 using sim::rod::Rod;
-using app::bench::polypropylene_yield;
-using app::bench::springback;
 
 namespace {
 
@@ -101,7 +101,7 @@ TEST(PlasticSet, IsPulledStraightBySoMuchAsYields) {
 
 // A tight overhand let go of springs open; one that was bent beyond yield stays a knot of the length that it had.
 TEST(PlasticSet, ATightKnotKeepsItsLength) {
-    const auto springs = app::bench::let_go_overhand(1, 0), stays = app::bench::let_go_overhand(1, polypropylene_yield);
+    const auto springs = bench::lab::let_go_overhand(1, 0), stays = bench::lab::let_go_overhand(1, polypropylene_yield);
     EXPECT_GT(springs.after, springs.tight + 10);
     EXPECT_GT(stays.after, 10);
     EXPECT_LT(stays.after, stays.tight + 3);

@@ -4,14 +4,14 @@
 #include <numbers>
 #include <vector>
 
-#include "app/bench/hands.hpp"
-#include "app/bench/start_shapes.hpp"
 #include "sim/geometry/resample.hpp"
 #include "sim/thread/thread.hpp"
+#include "tests/bench/lab/hands.hpp"
+#include "tests/bench/lab/start_shapes.hpp"
 
 namespace scene {
 
-using app::bench::taken_up;
+using bench::lab::taken_up;
 using sim::geometry::Vec3;
 using sim::thread::Hold;
 using sim::thread::Thread;
@@ -24,8 +24,8 @@ constexpr double tick = 1e-3;                  // [s]
 
 /// An open overhand knot, loose, of `links` links of one thread thickness.
 inline std::vector<Vec3> overhand(int links = 200, double thread_radius = radius) {
-    std::vector<Vec3> path = app::bench::overhand_path();
-    const double scale = 2 * thread_radius * links / app::bench::length_of(path);
+    std::vector<Vec3> path = bench::lab::overhand_path();
+    const double scale = 2 * thread_radius * links / bench::lab::length_of(path);
     for (Vec3& p : path) p *= scale;
     return sim::geometry::resample(path, links);
 }

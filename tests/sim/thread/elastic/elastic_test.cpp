@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/bench/bends.hpp"
-#include "app/bench/crossing.hpp"
-#include "app/bench/incline.hpp"
-#include "app/bench/shape.hpp"
 #include "sim/knot/namer.hpp"
 #include "sim/thread/thread.hpp"
+#include "tests/bench/lab/bends.hpp"
+#include "tests/bench/lab/crossing.hpp"
+#include "tests/bench/lab/incline.hpp"
+#include "tests/bench/lab/shape.hpp"
 
 namespace elastic_thread {
 
@@ -43,7 +43,7 @@ struct Pulled {
 };
 
 std::vector<Vec3> loose_overhand(double scale = 1, double mirror = 1) {
-    std::vector<Vec3> nodes = app::bench::overhand(120, 120 * thickness);
+    std::vector<Vec3> nodes = bench::lab::overhand(120, 120 * thickness);
     for (Vec3& p : nodes) p = scale * Vec3(p.x(), p.y(), mirror * p.z());
     return nodes;
 }
@@ -196,11 +196,11 @@ TEST(Elastic, SlidesDownAnInclineOnlyWhereItMust) {
     for (const double friction : {0.1, 0.3})
         for (const double seconds : {1e-3, 4e-3}) {
             SCOPED_TRACE(testing::Message() << friction << ' ' << seconds);
-            EXPECT_LT(std::abs(app::bench::incline_acceleration(
+            EXPECT_LT(std::abs(bench::lab::incline_acceleration(
                                    {.friction = friction, .share = 1.02, .link = 1, .tick = seconds})
                                    .error()),
                       0.01);
-            EXPECT_LT(app::bench::incline_drift({.friction = friction, .share = 0.98, .link = 1, .tick = seconds}, 2),
+            EXPECT_LT(bench::lab::incline_drift({.friction = friction, .share = 0.98, .link = 1, .tick = seconds}, 2),
                       0.1);
         }
 }
@@ -209,7 +209,7 @@ TEST(Elastic, SlidesDownAnInclineOnlyWhereItMust) {
 TEST(Elastic, LiftsWhatLiesAcrossItAsBeamsDo) {
     for (const bool at_nodes : {true, false}) {
         SCOPED_TRACE(at_nodes);
-        const app::bench::Crossed found = app::bench::cross({20, at_nodes}, 0.1);
+        const bench::lab::Crossed found = bench::lab::cross({20, at_nodes}, 0.1);
         EXPECT_LT(std::abs(found.lift.error()), 0.01);
         EXPECT_LT(std::abs(found.force.error()), 0.01);
         EXPECT_LT(found.drift, 0.001);
@@ -218,15 +218,15 @@ TEST(Elastic, LiftsWhatLiesAcrossItAsBeamsDo) {
 
 // What they are is what they are called, and the tails of a reef may be let go of farther than those of a grief knot.
 TEST(Elastic, ReefHoldsWhereGriefSlips) {
-    using app::bench::Bend;
+    using bench::lab::Bend;
     const Bend reef{"reef", true, false}, thief{"thief", true, true}, granny{"granny", false, false},
         grief{"grief", false, true};
     for (const Bend& bend : {reef, thief})
-        EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#m3_1") << bend.words;
+        EXPECT_EQ(bench::lab::BendThread(bend, thickness, radius).name(), "3_1#m3_1") << bend.words;
     for (const Bend& bend : {granny, grief})
-        EXPECT_EQ(app::bench::BendThread(bend, thickness, radius).name(), "3_1#3_1") << bend.words;
-    const app::bench::BendPull pull{.friction = 0.2, .bending_share = 0.02, .tails = 15};
-    EXPECT_GT(app::bench::let_go(grief, pull).needed, app::bench::let_go(reef, pull).needed);
+        EXPECT_EQ(bench::lab::BendThread(bend, thickness, radius).name(), "3_1#3_1") << bend.words;
+    const bench::lab::BendPull pull{.friction = 0.2, .bending_share = 0.02, .tails = 15};
+    EXPECT_GT(bench::lab::let_go(grief, pull).needed, bench::lab::let_go(reef, pull).needed);
 }
 
 // Past taut the hands wait: no link is stretched by more than a tenth.
