@@ -5,7 +5,7 @@
 
 #include "scenarios/drill/drill.hpp"
 #include "scenarios/recording/recording.hpp"
-#include "tests/app/still.hpp"
+#include "tests/app/commands/still.hpp"
 #include "tests/program.hpp"
 
 // Every command is given what disks, hurried people and other programs leave behind. A crash, a hang, a silent default

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "tests/app/still.hpp"
+#include "tests/app/commands/still.hpp"
 #include "tests/program.hpp"
 
 // Recordings that were changed, added to, cut off or only looked at.

@@ -2,24 +2,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/bench/lab/core.hpp"
 #include "tests/bench/lab/trace.hpp"
 
 // What conditions measure along the way. Each is a number, so that each can miss its bound.
 namespace bench::lab {
 
 namespace {
-
-/// The most of what a frame says, within the condition's time.
-template <typename Figure>
-double most(const Trace& trace, const Condition& condition, Figure figure) {
-    double value = 0;
-    for (std::size_t i = 0; i < trace.frames.size(); ++i) {
-        const double t = static_cast<double>(i + 1) * trace.tick;
-        if (t >= condition.from && t <= condition.to)
-            value = std::max(value, static_cast<double>(figure(trace.frames[i])));
-    }
-    return value;
-}
 
 template <typename Figure>
 double sum(const Trace& trace, Figure figure) {
@@ -87,7 +76,6 @@ double tension_ratio(const Trace& trace) {
 using S = const Scene&;
 using T = const Trace&;
 using C = const Condition&;
-constexpr double mm = 1e-3;  // [m]
 
 const std::vector<ConditionKind> along_the_way{
     {"pass_throughs", "count", "strands that went through something, by the audit",

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "tests/bench/lab/core.hpp"
 #include "tests/bench/lab/trace.hpp"
 
 // Conditions on walls that give way, on what a needle did to them and on the thread that followed it.
@@ -7,19 +8,8 @@ namespace bench::lab {
 
 namespace {
 
-constexpr double mm = 1e-3;  // [m]
-
 bool is_due(const Condition& condition, double t) {
     return t >= condition.from && t <= condition.to;
-}
-
-template <typename Figure>
-double most(const Trace& trace, const Condition& condition, Figure figure) {
-    double value = 0;
-    for (std::size_t i = 0; i < trace.frames.size(); ++i)
-        if (is_due(condition, static_cast<double>(i + 1) * trace.tick))
-            value = std::max(value, static_cast<double>(figure(trace.frames[i])));
-    return value;
 }
 
 double smallest_tetrahedron(const Trace& trace, const Condition& condition) {

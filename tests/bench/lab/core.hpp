@@ -4,6 +4,8 @@
 
 namespace bench::lab {
 
+constexpr double mm = 1e-3;  ///< [m]
+
 /// Processor time of this thread [s]: other people's work on the machine does not count.
 inline double processor_time() {
     timespec now;

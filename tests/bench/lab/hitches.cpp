@@ -22,12 +22,13 @@ struct Bar {
     double radius, thread_radius;
 };
 
-struct Scene {
+struct BarScene {
     const char *curve, *name;
     bool by_both_ends;
 };
-constexpr Scene scenes[] = {{"p129", "bowline", false},  {"p135", "clove hitch", true}, {"p136", "constrictor", true},
-                            {"p137", "cow hitch", true}, {"p138", "prusik", true},      {"p139", "prusik", true}};
+constexpr BarScene scenes[] = {{"p129", "bowline", false},    {"p135", "clove hitch", true},
+                               {"p136", "constrictor", true}, {"p137", "cow hitch", true},
+                               {"p138", "prusik", true},      {"p139", "prusik", true}};
 
 // Hitches are drawn round a pole of radius 1 whose middle is at the origin; the bowline has none, so one is put through
 // its eye.
@@ -37,8 +38,8 @@ Bar bar_of(const LabelledCurve& curve) {
     return {Vec3::Zero(), (pole[2] - pole[1]).normalized(), 1, 0.085};
 }
 
-struct Play {
-    Play(const LabelledCurve& curve, const Scene& the_scene)
+struct BarPlay {
+    BarPlay(const LabelledCurve& curve, const BarScene& the_scene)
         : scene(the_scene), bar(bar_of(curve)), scale(def.radius / bar.thread_radius), thread(def, nodes(curve)) {
         const int last = static_cast<int>(thread.nodes().size()) - 1;
         hold(0, 1);
@@ -106,7 +107,7 @@ struct Play {
         return tied;
     }
 
-    Scene scene;
+    BarScene scene;
     sim::thread::ThreadDef def;
     Bar bar;
     double scale;
@@ -120,14 +121,14 @@ struct Play {
 
 std::vector<std::string> curves_on_bar() {
     std::vector<std::string> all;
-    for (const Scene& scene : scenes) all.emplace_back(scene.curve);
+    for (const BarScene& scene : scenes) all.emplace_back(scene.curve);
     return all;
 }
 
 OnBar hitch_on_bar(const std::filesystem::path& folder, const std::string& curve) {
     const auto* scene =
-        std::find_if(std::begin(scenes), std::end(scenes), [&](const Scene& s) { return s.curve == curve; });
-    return Play(labelled_curves(folder, curve).front(), *scene).until_tight();
+        std::find_if(std::begin(scenes), std::end(scenes), [&](const BarScene& s) { return s.curve == curve; });
+    return BarPlay(labelled_curves(folder, curve).front(), *scene).until_tight();
 }
 
 }  // namespace bench::lab

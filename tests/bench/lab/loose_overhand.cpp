@@ -70,9 +70,9 @@ Thread thread_of(const LooseOverhand& knot) {
     return {def, sim::geometry::resample(path, links)};
 }
 
-class Drawing {
+class LoopDrawing {
   public:
-    Drawing(const LooseOverhand& knot, Cost& cost)
+    LoopDrawing(const LooseOverhand& knot, Cost& cost)
         : loop_(knot.loop * loose_radius),
           tick_(knot.tick),
           cost_(cost),
@@ -138,7 +138,7 @@ double LooseOverhand::law() const {
 }
 
 double drawn_with(const LooseOverhand& knot, Cost& cost) {
-    return Drawing(knot, cost).mean_pull();
+    return LoopDrawing(knot, cost).mean_pull();
 }
 
 }  // namespace bench::lab

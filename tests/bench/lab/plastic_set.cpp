@@ -37,7 +37,7 @@ std::vector<Vec3> arc(int links, double link, double out) {
     return nodes;
 }
 
-std::vector<Vec3> straight(int links, double link) {
+std::vector<Vec3> straight_rod(int links, double link) {
     std::vector<Vec3> nodes;
     for (int i = 0; i <= links; ++i) nodes.emplace_back(i * link, 0, 0);
     return nodes;
@@ -95,7 +95,7 @@ struct Overhand {
 Compared springback(double diameters, double yield_strain) {
     constexpr int links = 20;
     constexpr double link = 0.25 * default_diameter;
-    Rod rod({.density = 0, .yield_strain = yield_strain}, straight(links, link));
+    Rod rod({.density = 0, .yield_strain = yield_strain}, straight_rod(links, link));
     const std::vector<Vec3> round = arc(links, link, diameters * default_diameter);
     std::vector<Hold> laid;
     for (int i = 0; i <= links; ++i) laid.push_back({i, round[static_cast<std::size_t>(i)]});
@@ -125,7 +125,7 @@ LetGoOverhand let_go_overhand(double pull, double yield_strain) {
 
 namespace {
 
-struct Table {
+struct SetTable {
     std::vector<Row> rows;
 
     void add(const std::string& id, const std::string& what, double value, const char* unit,
@@ -147,7 +147,7 @@ struct Table {
 
 // The moment is capped at what the whole section carries: right about as much as strands are bent in knots, too stiff
 // where few fibres yield.
-void add_springback(Table& table) {
+void add_springback(SetTable& table) {
     for (const auto& [out, bound] :
          {std::pair(2, std::optional(1.0)), std::pair(7, std::optional(5.0)), std::pair(14, std::optional<double>())}) {
         const Compared found = springback(0.5 * out, polypropylene_yield);
@@ -161,7 +161,7 @@ void add_springback(Table& table) {
     }
 }
 
-void add_overhands(Table& table, bool quick) {
+void add_overhands(SetTable& table, bool quick) {
     constexpr double gives = 3;  // [D]
     for (const double pull : quick ? std::vector{1.0} : std::vector{0.3, 1.0})
         for (const bool set : {false, true}) {
@@ -177,7 +177,7 @@ void add_overhands(Table& table, bool quick) {
 }
 
 // As in bend_rows, where there is no set.
-void add_loops(Table& table) {
+void add_loops(SetTable& table) {
     const Bend square{"square knot of 2 throws", true, false}, granny{"granny knot of 2 throws", false, false};
     for (const auto& [name, bend] : {std::pair("square", square), std::pair("granny", granny)})
         for (const bool set : {false, true}) {
@@ -192,7 +192,7 @@ void add_loops(Table& table) {
 
 // What it holds once its tails are all but free, by what it was tied with. In experiments that grows as the pull to 1.6
 // [SurgeryAndPhysics B2].
-void add_strength(Table& table) {
+void add_strength(SetTable& table) {
     constexpr double weak = 0.1, friction = 0.1;
     const Bend square{"square knot of 2 throws", true, false};
     std::array<double, 2> held{};
@@ -227,7 +227,7 @@ void add_strength(Table& table) {
 }  // namespace
 
 std::vector<Row> plastic_set_rows(bool quick) {
-    Table table;
+    SetTable table;
     add_springback(table);
     add_overhands(table, quick);
     if (!quick) add_loops(table), add_strength(table);

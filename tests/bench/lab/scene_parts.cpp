@@ -7,6 +7,7 @@
 #include "assets/curve.hpp"
 #include "assets/mesh.hpp"
 #include "sim/geometry/resample.hpp"
+#include "tests/bench/lab/core.hpp"
 #include "tests/bench/lab/start_shapes.hpp"
 
 namespace bench::lab {
@@ -15,7 +16,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double mm = 1e-3;          // [m]
 constexpr double most_places = 6e6;  // nodes times ticks: a trace of 150 MB
 
 Vec3 vector_of(const json& list) {

@@ -93,9 +93,9 @@ std::vector<Row> strand_capstan_rows(bool quick) {
         for (const double tick : quick ? std::vector{1e-3} : std::vector{4e-3, 1e-3, 0.25e-3}) {
             const double begin = processor_time(), found = friction_found(speed, tick);
             const std::string us = std::to_string(std::lround(1e6 * tick)),
-                              mm = std::to_string(std::lround(1000 * speed));
-            rows.push_back({.id = "strand-capstan-" + mm + "-tick" + us,
-                            .what = "elastic thread hung over a strand by half a turn, friction 0.2, drawn at " + mm +
+                              mm_s = std::to_string(std::lround(1000 * speed));
+            rows.push_back({.id = "strand-capstan-" + mm_s + "-tick" + us,
+                            .what = "elastic thread hung over a strand by half a turn, friction 0.2, drawn at " + mm_s +
                                     " mm/s, 1 mm thick, ticks of " + us + " us: friction that it slides by, off",
                             .value = 100 * std::abs(found / strand_friction - 1),
                             .unit = "%",

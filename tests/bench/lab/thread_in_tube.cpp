@@ -6,6 +6,7 @@
 
 #include "sim/geometry/closest_points.hpp"
 #include "sim/geometry/resample.hpp"
+#include "tests/bench/lab/core.hpp"
 
 namespace bench::lab {
 
@@ -13,7 +14,7 @@ namespace {
 
 using scenarios::world::VesselDef;
 
-constexpr double mm = 1e-3, tick = 1e-3, wire = 0.1e-3;
+constexpr double tick = 1e-3, wire = 0.1e-3;
 constexpr double pitch = 2 * mm;  // between passes
 constexpr double young = 2.8e9, radius = 0.0425e-3, section = 3.14159265358979 * radius * radius;
 

@@ -42,8 +42,8 @@ Tie tie_of(std::uint64_t seed) {
 
 namespace {
 
-struct Play {
-    Play(const Tie& the_tie, const Loose& start, const EachTick& each_tick, bool elastic)
+struct TiePlay {
+    TiePlay(const Tie& the_tie, const Loose& start, const EachTick& each_tick, bool elastic)
         : tie(the_tie),
           each(each_tick),
           tail(start.tail),
@@ -130,7 +130,7 @@ Tied ties(std::uint64_t seed, const EachTick& each, bool elastic) {
     constexpr int most_ticks = 300;
     const Tie tie = tie_of(seed);
     const double radius = ThreadDef{}.radius;
-    Play play(tie, loose_thread(tie.knot, tie.links, radius / tie.radius_per_link, radius), each, elastic);
+    TiePlay play(tie, loose_thread(tie.knot, tie.links, radius / tie.radius_per_link, radius), each, elastic);
     const int last = static_cast<int>(play.thread.nodes().size()) - 1;
     play.tied.before = name_between(play.thread, 0, last);
     if (tie.let_go >= 0) {

@@ -51,10 +51,10 @@ std::vector<Row> tight_rows(bool quick) {
     for (const double speed : quick ? std::vector{0.05} : std::vector{0.01, 0.05, 0.2, 1.0}) {
         const Stopwatch watch;
         const Tight found = tight(1, 0.15, speed, 120);
-        const std::string mm = std::to_string(static_cast<int>(std::lround(1000 * speed)));
+        const std::string mm_s = std::to_string(static_cast<int>(std::lround(1000 * speed)));
         rows.push_back(
-            {.id = "tight-overhand-at-" + mm,
-             .what = "tight open overhand of 120 links of D, friction 0.15, pulled at " + mm + " mm/s: takes up",
+            {.id = "tight-overhand-at-" + mm_s,
+             .what = "tight open overhand of 120 links of D, friction 0.15, pulled at " + mm_s + " mm/s: takes up",
              .value = found.in_the_end,
              .unit = "D",
              .bound = 11.1,

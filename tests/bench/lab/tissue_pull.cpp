@@ -65,7 +65,7 @@ Vec3 VesselPull::pull_at(double seconds) {
     return (share(0) - share(turns)) * along + (share(turns) - share(lets_go)) * aside;
 }
 
-Pulled pulled(const VesselPull& pull, double force) {
+PulledVessel pulled(const VesselPull& pull, double force) {
     Tissue tissue({}, pull.mesh, {.iterations = 50, .steps_per_factor = 0, .tolerance = 1e-7 * force});
     constexpr int steps = 10;
     for (int s = 1; s <= steps; ++s)

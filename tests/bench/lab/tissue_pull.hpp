@@ -26,11 +26,11 @@ struct VesselPull {
 tissue::TubeDef vessel(double finer = 1);
 
 /// What this pull along the axis [N] comes to in the end.
-struct Pulled {
+struct PulledVessel {
     tissue::Vec3 edge;  ///< How far the edge goes [m].
     double opening;     ///< By how much the outer wall between edge and bite's end is longer [m].
 };
-Pulled pulled(const VesselPull& pull, double force);
+PulledVessel pulled(const VesselPull& pull, double force);
 
 /// A second of the pull, step by step.
 struct Played {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -78,5 +79,17 @@ const std::vector<ConditionKind>& energy_kinds();
 const std::vector<ConditionKind>& wall_kinds();
 /// Those that look at the shape of the thread and at what it touches.
 const std::vector<ConditionKind>& shape_kinds();
+
+/// The most of what a frame says, within the condition's time; 0 where nothing is above.
+template <typename Figure>
+double most(const Trace& trace, const Condition& condition, Figure figure) {
+    double value = 0;
+    for (std::size_t i = 0; i < trace.frames.size(); ++i) {
+        const double t = static_cast<double>(i + 1) * trace.tick;
+        if (t >= condition.from && t <= condition.to)
+            value = std::max(value, static_cast<double>(figure(trace.frames[i])));
+    }
+    return value;
+}
 
 }  // namespace bench::lab

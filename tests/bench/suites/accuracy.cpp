@@ -173,8 +173,8 @@ void add_speed(Suite& suite, double speed) {
         for (int k = 0; k < links; ++k)
             strain = std::max(strain, std::abs(rod.tension(k)) / rod.def().axial_stiffness(link));
     }
-    const std::string mm = std::to_string(std::lround(1000 * speed)), id = "rod-200-at-" + mm,
-                      what = "200 links of 6-0, one end led at " + mm + " mm/s: ";
+    const std::string mm_s = std::to_string(std::lround(1000 * speed)), id = "rod-200-at-" + mm_s,
+                      what = "200 links of 6-0, one end led at " + mm_s + " mm/s: ";
     const auto add = [&](const char* name, const char* of, double value, const char* unit) {
         suite.rows.push_back(
             {.id = id + name, .what = what + of, .value = value, .unit = unit, .bound = {}, .error = {}});

@@ -65,12 +65,12 @@ struct Figure {
     double value;
 };
 
-struct Played {
+struct PlayedDrill {
     std::string knot;
     std::vector<Figure> measured, cost;
 };
 
-Played played(const std::filesystem::path& file, const Way& way) {
+PlayedDrill played(const std::filesystem::path& file, const Way& way) {
     const Drill drill = changed(scenarios::drill::load_drill(file), way);
     std::vector<std::string> names;
     for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
@@ -108,12 +108,12 @@ Played played(const std::filesystem::path& file, const Way& way) {
 void add_drills(Suite& suite, const std::filesystem::path& drills, bool quick, const Progress& progress) {
     const OneCore one_core;
     for (const Case& drill : cases()) {
-        std::optional<Played> fine;
+        std::optional<PlayedDrill> fine;
         for (const Way& way : drill.ways) {
             if (quick && way.id != shipped.id) continue;
             progress("the drill " + drill.file + ", " + way.words);
             const double begin = processor_time();
-            const Played now = played(drills / (drill.file + ".json"), way);
+            const PlayedDrill now = played(drills / (drill.file + ".json"), way);
             const double seconds = processor_time() - begin;
             if (!quick && !fine) fine = now;
             const std::string id = "drill-" + drill.id + "-" + way.id + "-",

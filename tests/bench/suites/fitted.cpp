@@ -23,7 +23,7 @@ namespace {
 constexpr double fitted_length = 0.15, hand_step = 0.05e-3;  // [m], [m] that either hand is asked to go in a tick
 constexpr double long_link = 8 * default_diameter;
 
-struct Tied {
+struct FittedTie {
     std::vector<double> tick_us;
     std::size_t links_most = 0;
     double moved = 0;  ///< By changing links alone: largest distance of a node from the new links [R].
@@ -40,7 +40,7 @@ double distance_to(const Vec3& p, std::span<const Vec3> nodes) {
 }
 
 // One tick of both tails going out, timed.
-void pull(Loop& loop, Tied& tied, std::vector<Vec3>& before) {
+void pull(Loop& loop, FittedTie& tied, std::vector<Vec3>& before) {
     Thread& thread = loop.thread;
     before.assign(thread.nodes().begin(), thread.nodes().end());
     double begin = processor_time();
@@ -86,7 +86,7 @@ double takes_up(const Loop& loop) {
     return (between(loop.held[0], loop.held[1]) + between(loop.held[2], loop.held[3]) - straight) / default_diameter;
 }
 
-Tied tie(double link, double shortest) {
+FittedTie tie(double link, double shortest) {
     constexpr int patience = 200, most_ticks = 6000;
     // As loose as a rope would lie in it that is as thick as the long links are long.
     std::vector<Vec3> nodes = loose_thread(looped(Knot::square, loop_depth),
@@ -94,7 +94,7 @@ Tied tie(double link, double shortest) {
                                   .nodes;
     nodes = sim::geometry::resample(nodes, static_cast<int>(std::lround(fitted_length / link)));
     Loop loop({.shortest_link = shortest}, nodes);
-    Tied tied;
+    FittedTie tied;
     double was = (loop.at(loop.held[3]) - loop.at(loop.held[0])).norm();
     for (int i = 1; i <= most_ticks; ++i) {
         pull(loop, tied, nodes);
@@ -123,7 +123,7 @@ void add_fitted(Suite& suite, const Progress& progress) {
     for (const Case& c : cases) {
         progress(std::string("150 mm into a square knot, links of ") + c.words);
         const Stopwatch watch;
-        const Tied found = tie(c.link, c.shortest);
+        const FittedTie found = tie(c.link, c.shortest);
         const auto add = [&](const char* figure, const std::string& what, double value, const char* unit) -> Row& {
             const std::string words = std::string("150 mm of 6-0 into a square knot, links of ") + c.words + ": ";
             suite.rows.push_back(told(std::string(c.id) + "-" + figure, words + what, value, unit, watch.seconds()));

@@ -133,7 +133,7 @@ PullFigures pull_ours(const Scene& scene) {
 std::vector<std::string> peers_there(const Progress& progress) {
     std::vector<std::string> names;
     for (const std::string name : {"ode", "bullet"}) {
-        if (Peer(name).there())
+        if (peers::Peer(name).there())
             names.push_back(name);
         else
             progress("no tests/rope_" + name + " beside this program: figures against it are left out");
@@ -142,7 +142,7 @@ std::vector<std::string> peers_there(const Progress& progress) {
 }
 
 // We and the peers take turns, so that what slows the machine for a while slows all.
-void add_scene(Suite& suite, const Scene& scene, const std::vector<std::string>& peers, int times,
+void add_scene(Suite& suite, const Scene& scene, const std::vector<std::string>& names, int times,
                const Progress& progress) {
     const Stopwatch watch;
     Runs ours;
@@ -150,27 +150,27 @@ void add_scene(Suite& suite, const Scene& scene, const std::vector<std::string>&
     for (int i = 0; i < times; ++i) {
         progress("overhand pull, " + scene.words + ", " + std::to_string(i + 1) + " of " + std::to_string(times));
         ours.push_back(pull_ours(scene));
-        for (const std::string& peer : peers) theirs[peer].push_back(Peer(peer).pull(scene.links, scene.speed));
+        for (const std::string& peer : names) theirs[peer].push_back(peers::Peer(peer).pull(scene.links, scene.speed));
     }
     PullTable table(suite, scene, watch.seconds());
     table.add("", ours);
     std::vector<double> spread;
     for (const PullFigures& run : ours) spread.push_back(run.tick_p99 / run.tick_p50);
     table.add("", "tick-p99-over-p50", {"tick, 99 of 100 over median", "ratio"}, spread);
-    for (const std::string& peer : peers) {
+    for (const std::string& peer : names) {
         std::vector<double> ratios;
         for (std::size_t i = 0; i < ours.size(); ++i) ratios.push_back(ours[i].tick_p50 / theirs[peer][i].tick_p50);
         table.add("", peer + "-ratio", {"median tick over that of " + peer, "ratio"}, ratios);
     }
-    for (const std::string& peer : peers) table.add(peer + "-", theirs[peer]);
+    for (const std::string& peer : names) table.add(peer + "-", theirs[peer]);
 }
 
 }  // namespace
 
 void add_pulls(Suite& suite, bool quick, const Progress& progress) {
-    const std::vector<std::string> peers = peers_there(progress);
+    const std::vector<std::string> names = peers_there(progress);
     for (const Scene& scene : scenes())
-        if (!quick || scene.quick) add_scene(suite, scene, peers, quick ? 1 : scene.times, progress);
+        if (!quick || scene.quick) add_scene(suite, scene, names, quick ? 1 : scene.times, progress);
 }
 
 }  // namespace bench::suites

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/bench/lab/problems.hpp"
 #include "tests/bench/lab/words.hpp"
 #include "tests/bench/suites/plot.hpp"
-#include "tests/bench/lab/problems.hpp"
 #include "tests/bench/suites/speed.hpp"
 
 namespace bench::suites {

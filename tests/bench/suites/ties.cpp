@@ -19,15 +19,15 @@ static double takes_up_when_tight(Knot knot) {
 namespace {
 
 /// Of many seeds.
-struct Tally {
+struct TieTally {
     double passes = 0, changed = 0, stretch = 0, seconds = 0;
     std::vector<double>
         left;  ///< Where there was no friction: a thread that follows its hands comes as tight as an ideal one.
 };
 
-Tally tally(int seeds, bool elastic, const Progress& progress) {
+TieTally tally(int seeds, bool elastic, const Progress& progress) {
     const Stopwatch watch;
-    Tally all;
+    TieTally all;
     for (int seed = 0; seed < seeds; ++seed) {
         const Tied tied = ties(static_cast<std::uint64_t>(seed), {}, elastic);
         if (progress && !tied.good())
@@ -49,7 +49,7 @@ std::string words_of(int seeds, bool elastic) {
 }  // namespace
 
 static std::vector<Row> elastic_ties_rows(int seeds, const Progress& progress) {
-    const Tally all = tally(seeds, true, progress);
+    const TieTally all = tally(seeds, true, progress);
     const std::string what = words_of(seeds, true);
     return {{.id = "elastic-ties-passes",
              .what = what + "pass-throughs",
@@ -73,7 +73,7 @@ static std::vector<Row> elastic_ties_rows(int seeds, const Progress& progress) {
 }
 
 static std::vector<Row> ftl_ties_rows(int seeds, const Progress& progress) {
-    const Tally all = tally(seeds, false, progress);
+    const TieTally all = tally(seeds, false, progress);
     const std::string what = words_of(seeds, false);
     return {{.id = "ties-passes",
              .what = what + "pass-throughs",

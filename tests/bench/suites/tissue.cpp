@@ -117,14 +117,14 @@ double mean_of(const std::vector<double>& values) {
 void add_edge(Suite& suite, bool quick) {
     for (const double force : {0.02, 0.1}) {
         const std::string id = whole(1000 * force) + "mN", at = " of a cut pulled at " + whole(1000 * force) + " mN: ";
-        const Pulled shipped = pulled(VesselPull(vessel()), force),
-                     finer = pulled(VesselPull(vessel(quick ? 1.5 : 2)), force);
+        const PulledVessel shipped = pulled(VesselPull(vessel()), force),
+                           finer = pulled(VesselPull(vessel(quick ? 1.5 : 2)), force);
         const auto limit = [&](const auto& coarse, const auto& fine) -> std::decay_t<decltype(coarse)> {
             const double ratio = quick ? 2.25 : 4;  // of the squares of cells
             return (ratio * fine - coarse) / (ratio - 1);
         };
-        const Pulled reference{limit(shipped.edge, finer.edge), limit(shipped.opening, finer.opening)};
-        const auto tell = [&](const std::string& mesh, const std::string& words, const Pulled& found) {
+        const PulledVessel reference{limit(shipped.edge, finer.edge), limit(shipped.opening, finer.opening)};
+        const auto tell = [&](const std::string& mesh, const std::string& words, const PulledVessel& found) {
             const auto add = [&](const std::string& of, double error) {
                 suite.rows.push_back({.id = of + "-" + id + mesh,
                                       .what = of + at + words + ", error",
@@ -234,14 +234,14 @@ void add_needle(Suite& suite, bool quick) {
     } meshes[] = {{"n12", {.around = 12, .through = 1, .near = 6, .far = 3}},
                   {"n16", {}},
                   {"n24", {.around = 24, .through = 3, .near = 12, .far = 6}}};
-    const auto mm = [](double speed) { return whole(1000 * speed); };
+    const auto mm_s = [](double speed) { return whole(1000 * speed); };
     for (const auto& [name, tube] : meshes)
         for (const double speed : {1e-3, 5e-3, 20e-3}) {
             if (quick && tube.around == 24 && speed < 5e-3) continue;
             constexpr double puncture = 10e-3;
             suite.rows.push_back(row_of(
-                std::string("puncture-") + name + "-" + mm(speed),
-                std::string("needle at ") + mm(speed) + " mm/s, " + whole(tube.around) +
+                std::string("puncture-") + name + "-" + mm_s(speed),
+                std::string("needle at ") + mm_s(speed) + " mm/s, " + whole(tube.around) +
                     " cells around: force at which the skin gave way off its threshold",
                 "%",
                 [&, t = tube] {
@@ -256,8 +256,8 @@ void add_needle(Suite& suite, bool quick) {
         const auto add = [&](const char* id, const char* what, double value, const char* unit,
                              std::optional<double> bound, Must must = Must::be_at_most) {
             suite.rows.push_back(
-                {.id = "needle-" + std::string(id) + "-" + mm(speed),
-                 .what = "needle driven along its arc at " + mm(speed) + " mm/s through a free end: " + what,
+                {.id = "needle-" + std::string(id) + "-" + mm_s(speed),
+                 .what = "needle driven along its arc at " + mm_s(speed) + " mm/s through a free end: " + what,
                  .value = value,
                  .unit = unit,
                  .bound = bound,

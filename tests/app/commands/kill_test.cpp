@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/still.hpp"
+#include "tests/app/commands/still.hpp"
 #include "tests/program.hpp"
 
 namespace {

@@ -1,0 +1,42 @@
+# Tests: one program a room.
+#   carrel_test(sim_knot_test SOURCES sim/knot/namer_test.cpp ROOMS sim_knot [LIBRARIES Foo::Foo] [QUICK] [RELEASE] [COST s])
+# QUICK: costs more to compile than to run; the tests themselves are not optimised.
+# RELEASE: not built with sanitizers, which would make it take hours or count what they add.
+# COST: of its longest test [s] where that is much; such tests start first, so that all cores finish together.
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# `first` precompiles the headers that all tests with its flags share.
+function(carrel_precompile_tests name first)
+  get_target_property(precompiled sim_geometry PRECOMPILE_HEADERS)
+  if(name STREQUAL first)
+    target_precompile_headers(${name} PRIVATE ${precompiled} <gtest/gtest.h> <nlohmann/json.hpp>)
+  else()
+    target_precompile_headers(${name} REUSE_FROM ${first})
+  endif()
+endfunction()
+
+function(carrel_test name)
+  cmake_parse_arguments(TEST "QUICK;RELEASE" "COST" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
+  if(TEST_RELEASE AND CARREL_SANITIZE)
+    return()
+  endif()
+  if(NOT TEST_COST)
+    set(TEST_COST 0)
+  endif()
+  add_executable(${name} ${TEST_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${TEST_ROOMS} ${TEST_LIBRARIES} GTest::gtest_main)
+  if(TEST_QUICK)
+    target_compile_options(${name} PRIVATE -O0)
+    carrel_precompile_tests(${name} scenarios_drill_test)
+  else()
+    carrel_precompile_tests(${name} sim_geometry_test)
+  endif()
+  target_compile_definitions(${name} PRIVATE
+    CARREL_SOURCE="${PROJECT_SOURCE_DIR}"
+    CARREL_PROGRAM="$<TARGET_FILE:carrel>")
+  add_dependencies(${name} carrel)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900 COST ${TEST_COST}
+    ENVIRONMENT LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0)
+endfunction()
