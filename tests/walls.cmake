@@ -6,10 +6,10 @@ if(NOT ROOT)
   get_filename_component(ROOT "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 endif()
 
-# Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room. A room within
-# another comes before it: a file is of the first room that its path begins with.
-set(rooms sim/geometry sim/rod sim/thread/contact sim/thread/ftl sim/thread/elastic sim/thread sim/knot tissue instruments assets
-    scenarios/world scenarios/drill scenarios/recording scenarios/session app
+# Which room sees which other folders or headers, as regular expressions on the path. `app` sees every room. A
+# room within another comes before it: a file is of the first room that its path begins with.
+set(rooms sim/geometry sim/rod sim/thread/contact sim/thread/ftl sim/thread/elastic sim/thread sim/knot
+    tissue instruments assets scenarios/world scenarios/drill scenarios/recording scenarios/session app
     tests/bench/lab tests/bench/suites tests/bench/peers)
 set(values sim/geometry/ instruments/tool[.]hpp)  # what a drill or a recording is made of: points, poses and jaws
 set(sim/rod_sees sim/geometry/)

@@ -8,31 +8,59 @@
 namespace app::draw {
 
 /// The functions of OpenGL 3.3 used here, by their names without "gl".
-#define CARREL_GL_FUNCTIONS(F)                                                                                         \
-    F(ACTIVETEXTURE, ActiveTexture)                                                                                    \
-    F(ATTACHSHADER, AttachShader) F(BINDBUFFER, BindBuffer) F(BINDFRAMEBUFFER, BindFramebuffer) F(                     \
-        BINDTEXTURE, BindTexture) F(BINDVERTEXARRAY, BindVertexArray) F(BUFFERDATA, BufferData)                        \
-        F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) F(CLEAR, Clear) F(COMPILESHADER, CompileShader) F(           \
-            CREATEPROGRAM, CreateProgram) F(CREATESHADER, CreateShader) F(DELETEBUFFERS, DeleteBuffers)                \
-            F(DELETEFRAMEBUFFERS, DeleteFramebuffers) F(DELETEPROGRAM, DeleteProgram) F(DELETESHADER, DeleteShader) F( \
-                DELETETEXTURES, DeleteTextures) F(DELETEVERTEXARRAYS, DeleteVertexArrays) F(DEPTHFUNC, DepthFunc)      \
-                F(DISABLE, Disable) F(DRAWARRAYS, DrawArrays) F(DRAWBUFFER, DrawBuffer) F(DRAWELEMENTS, DrawElements)  \
-                    F(ENABLE, Enable) F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                              \
-                        F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) F(GENBUFFERS, GenBuffers)                        \
-                            F(GENFRAMEBUFFERS, GenFramebuffers) F(GENTEXTURES, GenTextures)                            \
-                                F(GENVERTEXARRAYS, GenVertexArrays) F(GETERROR, GetError)                              \
-                                    F(GETPROGRAMINFOLOG, GetProgramInfoLog) F(GETPROGRAMIV, GetProgramiv)              \
-                                        F(GETUNIFORMLOCATION, GetUniformLocation) F(LINKPROGRAM, LinkProgram)          \
-                                            F(PIXELSTOREI, PixelStorei) F(READBUFFER, ReadBuffer)                      \
-                                                F(READPIXELS, ReadPixels) F(SHADERSOURCE, ShaderSource)                \
-                                                    F(TEXIMAGE2D, TexImage2D) F(TEXPARAMETERFV, TexParameterfv)        \
-                                                        F(TEXPARAMETERI, TexParameteri) F(UNIFORM1F, Uniform1f)        \
-                                                            F(UNIFORM1I, Uniform1i) F(UNIFORM3FV, Uniform3fv)          \
-                                                                F(UNIFORM4FV, Uniform4fv)                              \
-                                                                    F(UNIFORMMATRIX4FV, UniformMatrix4fv)              \
-                                                                        F(USEPROGRAM, UseProgram) F(                   \
-                                                                            VERTEXATTRIBPOINTER, VertexAttribPointer)  \
-                                                                            F(VIEWPORT, Viewport)
+// clang-format off
+#define CARREL_GL_FUNCTIONS(F) \
+    F(ACTIVETEXTURE, ActiveTexture) \
+    F(ATTACHSHADER, AttachShader) \
+    F(BINDBUFFER, BindBuffer) \
+    F(BINDFRAMEBUFFER, BindFramebuffer) \
+    F(BINDTEXTURE, BindTexture) \
+    F(BINDVERTEXARRAY, BindVertexArray) \
+    F(BUFFERDATA, BufferData) \
+    F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
+    F(CLEAR, Clear) \
+    F(COMPILESHADER, CompileShader) \
+    F(CREATEPROGRAM, CreateProgram) \
+    F(CREATESHADER, CreateShader) \
+    F(DELETEBUFFERS, DeleteBuffers) \
+    F(DELETEFRAMEBUFFERS, DeleteFramebuffers) \
+    F(DELETEPROGRAM, DeleteProgram) \
+    F(DELETESHADER, DeleteShader) \
+    F(DELETETEXTURES, DeleteTextures) \
+    F(DELETEVERTEXARRAYS, DeleteVertexArrays) \
+    F(DEPTHFUNC, DepthFunc) \
+    F(DISABLE, Disable) \
+    F(DRAWARRAYS, DrawArrays) \
+    F(DRAWBUFFER, DrawBuffer) \
+    F(DRAWELEMENTS, DrawElements) \
+    F(ENABLE, Enable) \
+    F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
+    F(GENBUFFERS, GenBuffers) \
+    F(GENFRAMEBUFFERS, GenFramebuffers) \
+    F(GENTEXTURES, GenTextures) \
+    F(GENVERTEXARRAYS, GenVertexArrays) \
+    F(GETERROR, GetError) \
+    F(GETPROGRAMINFOLOG, GetProgramInfoLog) \
+    F(GETPROGRAMIV, GetProgramiv) \
+    F(GETUNIFORMLOCATION, GetUniformLocation) \
+    F(LINKPROGRAM, LinkProgram) \
+    F(PIXELSTOREI, PixelStorei) \
+    F(READBUFFER, ReadBuffer) \
+    F(READPIXELS, ReadPixels) \
+    F(SHADERSOURCE, ShaderSource) \
+    F(TEXIMAGE2D, TexImage2D) \
+    F(TEXPARAMETERFV, TexParameterfv) \
+    F(TEXPARAMETERI, TexParameteri) \
+    F(UNIFORM1F, Uniform1f) \
+    F(UNIFORM1I, Uniform1i) \
+    F(UNIFORM3FV, Uniform3fv) \
+    F(UNIFORM4FV, Uniform4fv) \
+    F(UNIFORMMATRIX4FV, UniformMatrix4fv) \
+    F(USEPROGRAM, UseProgram) \
+    F(VERTEXATTRIBPOINTER, VertexAttribPointer) \
+    F(VIEWPORT, Viewport)
+// clang-format on
 
 struct Gl {
 #define CARREL_GL_MEMBER(TYPE, name) PFNGL##TYPE##PROC name;

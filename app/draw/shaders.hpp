@@ -34,7 +34,8 @@ float noise(vec3 p) {  // values at whole numbers, blended
     vec3 i = floor(p), f = fract(p);
     f = f * f * (3.0 - 2.0 * f);
     vec4 low = vec4(hash(i), hash(i + vec3(1, 0, 0)), hash(i + vec3(0, 1, 0)), hash(i + vec3(1, 1, 0)));
-    vec4 high = vec4(hash(i + vec3(0, 0, 1)), hash(i + vec3(1, 0, 1)), hash(i + vec3(0, 1, 1)), hash(i + vec3(1, 1, 1)));
+    vec4 high = vec4(hash(i + vec3(0, 0, 1)), hash(i + vec3(1, 0, 1)),
+                     hash(i + vec3(0, 1, 1)), hash(i + vec3(1, 1, 1)));
     vec4 v = mix(low, high, f.z);
     return mix(mix(v.x, v.y, f.x), mix(v.z, v.w, f.x), f.y);
 }
@@ -119,8 +120,10 @@ vec3 shorter(vec3 a, vec3 b) { return dot(a, a) < dot(b, b) ? a : b; }
 float openness(ivec2 p, ivec2 last) {
     vec2 size = vec2(last + 1);
     vec3 c = point_at(p, size);
-    vec3 right = shorter(point_at(min(p + ivec2(1, 0), last), size) - c, c - point_at(max(p - ivec2(1, 0), ivec2(0)), size));
-    vec3 up = shorter(point_at(min(p + ivec2(0, 1), last), size) - c, c - point_at(max(p - ivec2(0, 1), ivec2(0)), size));
+    vec3 right = shorter(point_at(min(p + ivec2(1, 0), last), size) - c,
+                         c - point_at(max(p - ivec2(1, 0), ivec2(0)), size));
+    vec3 up = shorter(point_at(min(p + ivec2(0, 1), last), size) - c,
+                      c - point_at(max(p - ivec2(0, 1), ivec2(0)), size));
     vec3 n = normalize(cross(right, up));
     float sum = 0.0, reach = planes.z * size.y / (2.0 * lens.y * -c.z);  // [fine pixels]
     for (int i = 0; i < 18; ++i) {

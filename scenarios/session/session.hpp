@@ -12,20 +12,20 @@ namespace scenarios::session {
 
 /// A ball about what is to be seen from near.
 struct CloseUp {
-    sim::geometry::Vec3 centre;
-    double radius;  ///< [m]
+    sim::geometry::Vec3 centre;  ///< Its middle [m].
+    double radius;               ///< Its radius [m], above zero.
 };
 
 /// The scene at one moment, for a picture of it.
 struct Snapshot {
-    double t_s;
-    std::string caption;
-    std::vector<std::vector<sim::geometry::Vec3>> thread;  ///< Its pieces.
-    std::vector<instruments::ToolInput> tools;
-    std::vector<assets::Mesh> vessels;
-    std::vector<std::vector<sim::geometry::Vec3>> clamps;   ///< Of approximators, an arm and a ring each.
-    std::vector<std::vector<sim::geometry::Vec3>> needles;  ///< From tail to tip.
-    std::optional<CloseUp> close_up;                        ///< None: the whole field is of interest.
+    double t_s;                                             ///< Simulated time since the drill's start [s].
+    std::string caption;                                    ///< What is to be seen, in a few words.
+    std::vector<std::vector<sim::geometry::Vec3>> thread;   ///< Nodes of each of its pieces, in order [m].
+    std::vector<instruments::ToolInput> tools;              ///< Pose and jaw of each tool, in the drill's order.
+    std::vector<assets::Mesh> vessels;                      ///< What is shown of each, in the drill's order [m].
+    std::vector<std::vector<sim::geometry::Vec3>> clamps;   ///< Lines of the approximators: an arm and a ring each [m].
+    std::vector<std::vector<sim::geometry::Vec3>> needles;  ///< Line of each needle, from tail to tip [m].
+    std::optional<CloseUp> close_up;  ///< What to look at from near. None: the whole field is of interest.
 };
 
 /// Reads a clock [us]. What a tick costs is the difference of two readings.
@@ -43,12 +43,16 @@ class Session {
     /// Scores and figures as they stand, but for the machine's name; call once, after the last tick.
     scenarios::drill::Result finish();
 
+    /// The drill that is played.
     const scenarios::drill::Drill& drill() const { return drill_; }
+    /// The world after the last tick.
     const scenarios::world::World& world() const { return world_; }
+    /// The whole scene as it stands.
     Snapshot snapshot(std::string caption) const;
     /// The same from near the knot that is named now; where there is none from near what the needle has bitten, if it
     /// has.
     std::optional<Snapshot> close_snapshot();
+    /// What was worth a picture so far, in the order of time: first grasps, bites, knots and the like.
     const std::vector<Snapshot>& key_moments() const { return key_moments_; }
 
   private:

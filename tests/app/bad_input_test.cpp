@@ -191,8 +191,10 @@ TEST(BadInput, NoThreadStartsInAWallThatIsAMesh) {
                  "3\nf 5 6 7\nf 5 7 8\n"
                  "f 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
     std::string text =
-        R"({"carrel_drill": 1, "title": "Box", "thread": {"size": "6-0", "length_mm": 8, "links": 40, "start_mm": [[-4, 0, 8.75], [4, 0, 8.75]]},
-      "vessels": [{"name": "box", "mesh": {"file": "box.obj", "sha256": "SHA", "wall_mm": 0.5}}], "instruments": [{"name": "left", "kind": "forceps"}],
+        R"({"carrel_drill": 1, "title": "Box", "thread": {"size": "6-0", "length_mm": 8, "links": 40,
+      "start_mm": [[-4, 0, 8.75], [4, 0, 8.75]]},
+      "vessels": [{"name": "box", "mesh": {"file": "box.obj", "sha256": "SHA", "wall_mm": 0.5}}],
+      "instruments": [{"name": "left", "kind": "forceps"}],
       "effects": {"tissue": "elastic"}, "time_limit_s": 1})";
     text = with_sum(folder, program::replaced(text, "SHA", std::string(64, '0')));
     const std::string drill = folder.write("drill.json", text);

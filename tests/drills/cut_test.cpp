@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 constexpr const char* drill = R"({
   "carrel_drill": 1,
   "title": "Broken and cut",
-  "thread": {"size": "6-0", "length_mm": 30, "links": 100, "break_N": 1, "model": "MODEL", "start_mm": [[-15, 0, 0], [15, 0, 0]]},
+  "thread": {"size": "6-0", "length_mm": 30, "links": 100, "break_N": 1,
+             "model": "MODEL", "start_mm": [[-15, 0, 0], [15, 0, 0]]},
   "instruments": [
     {"name": "left", "kind": "needle_holder"},
     {"name": "right", "kind": "needle_holder"},

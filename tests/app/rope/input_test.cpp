@@ -65,7 +65,7 @@ void add_everywhere(std::vector<Case>& cases, const std::string& what, const std
         cases.push_back({command + ": " + what, {command, "@d.json"}, "d.json", {{"d.json", bytes}}});
 }
 
-std::vector<Case> rope_cases() {
+std::vector<Case> curve_cases() {
     std::vector<Case> cases;
     const auto with_curve = [&](const std::string& what, const std::string& text) {
         cases.push_back({"rope, curve: " + what,
@@ -85,7 +85,11 @@ std::vector<Case> rope_cases() {
     with_curve("two curves", curve + "\n" + curve);
     with_curve("closed", "0 0 0\n1 0 0\n1 1 0\n0 0 0\n");
     with_curve("in another galaxy", "0 0 0\n1e300 0 0\n");
+    return cases;
+}
 
+std::vector<Case> motion_cases() {
+    std::vector<Case> cases;
     const auto with_motion = [&](const std::string& what, const std::string& text) {
         cases.push_back({"rope, motion: " + what,
                          {"rope", "@c.csv", "--motion", "@m.csv"},
@@ -108,7 +112,11 @@ std::vector<Case> rope_cases() {
     with_motion("ends before it begins", header + "0,first,0,0,0\n");
     with_motion("escape characters", header + "0,\x1b[31m\r\x07,0,0,0\n");
     with_motion("a year", header + "0,first,0,0,0\n31536000,first,1,0,0\n");
+    return cases;
+}
 
+std::vector<Case> option_cases() {
+    std::vector<Case> cases;
     const auto with_options = [&](const std::string& what, const std::string& blamed,
                                   std::vector<std::string> options) {
         options.insert(options.begin(), {"rope", "@c.csv", "--motion", "@m.csv"});
@@ -128,6 +136,11 @@ std::vector<Case> rope_cases() {
     with_options("weight of a thread that has none", "--gravity", {"--gravity"});
     with_options("positions into a folder that is not there", "nowhere", {"--out", "@nowhere/x.jsonl"});
     with_options("an obstacle of another kind", "m.csv", {"--obstacle", "@m.csv"});
+    return cases;
+}
+
+std::vector<Case> start_cases() {
+    std::vector<Case> cases;
     cases.push_back({"rope: so few links that the knot is gone",
                      {"rope", "@c.csv", "--motion", "@m.csv", "--links", "8"},
                      "c.csv",
@@ -158,8 +171,9 @@ std::vector<Case> drill_cases() {
 }
 
 std::vector<Case> cases() {
-    std::vector<Case> all = rope_cases();
-    for (const Case& c : drill_cases()) all.push_back(c);
+    std::vector<Case> all;
+    for (const auto& of_a_kind : {curve_cases(), motion_cases(), option_cases(), start_cases(), drill_cases()})
+        all.insert(all.end(), of_a_kind.begin(), of_a_kind.end());
     for (const auto& [what, bytes] : broken_bytes()) add_everywhere(all, what, bytes);
     return all;
 }

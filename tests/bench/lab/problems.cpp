@@ -58,21 +58,13 @@ Compared square_over_granny(double friction, const Setting& s, Cost& cost) {
     return {square.force / granny.force, 1};
 }
 
-}  // namespace
+const std::string lengths = "length in D", count = "number", round_loop = "number round the loop";
+const std::vector ticks{4e-3, 1e-3, 0.25e-3}, two_ticks{4e-3, 1e-3};
 
-std::vector<Problem> problems() {
+std::vector<Problem> capstans() {
     using std::numbers::pi;
-    const std::string lengths = "length in D", count = "number", round = "number round the loop";
-    const std::string slips = ": ratio of forces at which they slip";
-    const std::vector ticks{4e-3, 1e-3, 0.25e-3}, two_ticks{4e-3, 1e-3};
     const auto capstan_of = [](double wrap) {
         return [=](const Setting& s, Cost& cost) { return round_cylinder(wrap, s, cost); };
-    };
-    const auto loose = [](double friction) {
-        return [=](const Setting& s, Cost& cost) { return loose_overhand(friction, s, cost); };
-    };
-    const auto knots = [](double friction) {
-        return [=](const Setting& s, Cost& cost) { return square_over_granny(friction, s, cost); };
     };
     return {{"capstan-half",
              "capstan, half a turn, friction 0.2: ratio of pulls",
@@ -85,23 +77,32 @@ std::vector<Problem> problems() {
              lengths,
              {2, 1, 0.5},
              ticks,
-             capstan_of(2 * pi)},
-            {"cantilever", "cantilever, 10 B/L2 at its tip: drop of the tip", count, {20, 40, 80}, ticks, cantilever},
+             capstan_of(2 * pi)}};
+}
+
+std::vector<Problem> single_rods() {
+    return {{"cantilever", "cantilever, 10 B/L2 at its tip: drop of the tip", count, {20, 40, 80}, ticks, cantilever},
             {"helix",
              "twisted thread let in by 3 %, no twist at its grasps: steepest angle",
              count,
              {40, 80, 160},
              ticks,
-             let_in},
-            {"loose-overhand",
+             let_in}};
+}
+
+std::vector<Problem> overhands() {
+    const auto loose = [](double friction) {
+        return [=](const Setting& s, Cost& cost) { return loose_overhand(friction, s, cost); };
+    };
+    return {{"loose-overhand",
              "loose overhand of 480 radii, no friction: pull that draws it tight",
-             round,
+             round_loop,
              {60, 120, 240},
              ticks,
              loose(0)},
             {"rough-overhand",
              "loose overhand of 480 radii, friction 0.1: pull that draws it tight",
-             round,
+             round_loop,
              {60, 120, 240},
              ticks,
              loose(0.1)},
@@ -110,8 +111,15 @@ std::vector<Problem> problems() {
              lengths,
              {1, 0.5, 0.25},
              ticks,
-             tight_overhand},
-            {"square-granny-mu1",
+             tight_overhand}};
+}
+
+std::vector<Problem> bends() {
+    const std::string slips = ": ratio of forces at which they slip";
+    const auto knots = [](double friction) {
+        return [=](const Setting& s, Cost& cost) { return square_over_granny(friction, s, cost); };
+    };
+    return {{"square-granny-mu1",
              "square over granny knot, friction 0.1" + slips,
              lengths,
              {1.4, 1, 0.7},
@@ -125,6 +133,15 @@ std::vector<Problem> problems() {
              two_ticks,
              knots(0.2),
              true}};
+}
+
+}  // namespace
+
+std::vector<Problem> problems() {
+    std::vector<Problem> all;
+    for (const auto& some : {capstans(), single_rods(), overhands(), bends()})
+        all.insert(all.end(), some.begin(), some.end());
+    return all;
 }
 
 std::vector<RodCase> still_problems() {

@@ -10,10 +10,10 @@ namespace bench::lab {
 
 namespace {
 
+using sim::geometry::Hold;
+using sim::geometry::Vec3;
 using sim::rod::Rod;
-using sim::thread::Hold;
-using sim::thread::RodDef;
-using sim::thread::Vec3;
+using sim::rod::RodDef;
 
 using std::numbers::pi;
 
@@ -200,10 +200,7 @@ double swing(int links, double tick) {
     return (crossings.back() - crossings.front()) / 4;
 }
 
-}  // namespace
-
-std::vector<RodCase> rod_cases() {
-    std::vector<RodCase> cases;
+void add_bent(std::vector<RodCase>& cases) {
     // Elastica, by elliptic integrals: load over B / L^2, and weight over B / L^2.
     for (const auto& [load, drops] : {std::pair(1, 0.30172), std::pair(10, 0.81061)})
         cases.push_back({"cantilever-tip-" + std::to_string(load),
@@ -227,6 +224,9 @@ std::vector<RodCase> rod_cases() {
                              return Compared{strut(n, 0.01 * percent), force};
                          },
                          0.03, 160});
+}
+
+void add_twisted(std::vector<RodCase>& cases) {
     // Michell 1889, Zajac 1962: 2 pi sqrt(3) B / C, with B / C = 1.3.
     cases.push_back({"ring-turn", "flat ring: turn at which it leaves its plane",
                      [](int n) {
@@ -244,6 +244,9 @@ std::vector<RodCase> rod_cases() {
                          return Compared{helix(n), 0.9186};
                      },
                      0.05, 160});
+}
+
+void add_hung(std::vector<RodCase>& cases) {
     for (const int percent : {50, 90, 99}) {
         const double span = 0.01 * percent;
         const Hung right = catenary_by_formula(span);
@@ -269,6 +272,15 @@ std::vector<RodCase> rod_cases() {
                          },
                          0.005, 40});
     }
+}
+
+}  // namespace
+
+std::vector<RodCase> rod_cases() {
+    std::vector<RodCase> cases;
+    add_bent(cases);
+    add_twisted(cases);
+    add_hung(cases);
     return cases;
 }
 
