@@ -7,7 +7,12 @@ std::string version() {
 }
 
 std::string build_name() {
-    std::string name = "carrel " + version() + ", GCC " __VERSION__;
+#ifdef __clang__
+    constexpr const char* compiler = "Clang " __clang_version__;
+#else
+    constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+    std::string name = "carrel " + version() + ", commit " + commit + ", " + compiler;
 #ifdef __OPTIMIZE__
     name += ", optimised";
 #endif

@@ -159,7 +159,7 @@ void add_bench(CLI::App& program, Chosen&) {
 
 std::function<int()> asked_for(int argc, char** argv) {
     CLI::App program{"Carrel: a surgical suturing trainer. A thread that can be tied, pulled tight and named."};
-    program.set_version_flag("--version", "carrel " + version(), "Print the version");
+    program.set_version_flag("--version", build_name(), "Print version, commit and compiler");
     program.require_subcommand(1);
     program.failure_message(usage_fault);
     Chosen chosen;

@@ -1,20 +1,11 @@
 # Tests: one program a room.
-#   carrel_test(sim_knot_test SOURCES sim/knot/namer_test.cpp ROOMS sim_knot [LIBRARIES Foo::Foo] [QUICK] [RELEASE] [COST s])
+#   carrel_test(sim_knot_test SOURCES sim/knot/namer_test.cpp ROOMS sim_knot
+#     [LIBRARIES Foo::Foo] [QUICK] [RELEASE] [COST s])
 # QUICK: costs more to compile than to run; the tests themselves are not optimised.
 # RELEASE: not built with sanitizers, which would make it take hours or count what they add.
 # COST: of its longest test [s] where that is much; such tests start first, so that all cores finish together.
 find_package(GTest REQUIRED)
 include(GoogleTest)
-
-# `first` precompiles the headers that all tests with its flags share.
-function(carrel_precompile_tests name first)
-  get_target_property(precompiled sim_geometry PRECOMPILE_HEADERS)
-  if(name STREQUAL first)
-    target_precompile_headers(${name} PRIVATE ${precompiled} <gtest/gtest.h> <nlohmann/json.hpp>)
-  else()
-    target_precompile_headers(${name} REUSE_FROM ${first})
-  endif()
-endfunction()
 
 function(carrel_test name)
   cmake_parse_arguments(TEST "QUICK;RELEASE" "COST" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
@@ -29,9 +20,9 @@ function(carrel_test name)
   target_link_libraries(${name} PRIVATE ${TEST_ROOMS} ${TEST_LIBRARIES} GTest::gtest_main)
   if(TEST_QUICK)
     target_compile_options(${name} PRIVATE -O0)
-    carrel_precompile_tests(${name} scenarios_drill_test)
+    carrel_precompile(${name} scenarios_drill_test <gtest/gtest.h> <nlohmann/json.hpp>)
   else()
-    carrel_precompile_tests(${name} sim_geometry_test)
+    carrel_precompile(${name} sim_geometry_test <gtest/gtest.h> <nlohmann/json.hpp>)
   endif()
   target_compile_definitions(${name} PRIVATE
     CARREL_SOURCE="${PROJECT_SOURCE_DIR}"

@@ -28,7 +28,7 @@ std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& op
     const std::filesystem::path file = options.record;
     if (file.has_parent_path()) make_folder("--record", file.parent_path());
     expect_writable("--record", file);
-    return scenarios::recording::Recorder(file, {drill.text, options.drill, version(), drill.world.tick_s,
+    return scenarios::recording::Recorder(file, {drill.text, options.drill, build_name(), drill.world.tick_s,
                                                  instrument_names(drill), assets_of(drill.world)});
 }
 

@@ -51,8 +51,7 @@ Data find_data(const std::string& named) {
     }
     const fs::path program = fs::read_symlink("/proc/self/exe");
     for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        for (const fs::path& root : {folder, folder / "share/carrel/bench"})
-            if (Data{root}.there()) return {root};
+        if (Data{folder}.there()) return {folder};
     throw app::InputFault("carrel bench: error: no hard cases and drills above " + program.string() +
                           ", expected --data with the folder of Carrel's sources");
 }
