@@ -2,7 +2,9 @@
 JOBS := $(shell nproc)
 DRILL := interrupted-stitch
 
-.PHONY: demo test check build bench format hashes mutants clean packages
+PREFIX := /usr/local
+
+.PHONY: demo test check lint long build bench install package format hashes mutants clean packages
 .DEFAULT_GOAL := build
 
 build: packages
@@ -33,6 +35,36 @@ check: packages
 	@cmake --preset sanitize > /dev/null
 	@cmake --build build/sanitize -j$(JOBS)
 	ctest --test-dir build/sanitize -j$(JOBS) --output-on-failure
+
+# What the house asks of every line: format, names, lengths, pages. The quick commands that pages show are run.
+lint: packages
+	@tools/packages.sh clang-format
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS) --target carrel
+	tools/lint
+	tools/lint --commands
+
+# What takes hours, before a change of the simulation is called done.
+long: packages
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS)
+	CARREL_LONG_HASHES=1 ctest --test-dir build -j$(JOBS) --output-on-failure -R Hashes
+	build/carrel bench ties
+	build/carrel bench elastic-ties
+	for drill in scenarios/drills/*.json; do build/carrel run $$drill || exit 1; done
+	tests/mutants/run.py
+
+install: packages
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS) --target carrel
+	cmake --install build --prefix $(PREFIX)
+
+# A .deb for Debian 12, in build/.
+package: packages
+	@tools/packages.sh dpkg-dev file
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS) --target carrel
+	cd build && cpack -G DEB
 
 # A peer needs a package of its own; without it its figures are left out, with a word.
 bench: packages
