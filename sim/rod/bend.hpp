@@ -6,25 +6,30 @@
 
 namespace sim::rod {
 
-/// Between two links, as the difference of their tangents: twice the sine of half the angle, which makes the curvature
-/// that of the circle through their three nodes. The tangent of half the angle (Bergou et al. 2008, eq. 1) has five
-/// times the error.
+/// The bend between two links, measured as the difference of their unit tangents: its length is twice the sine of half
+/// the angle, which makes the curvature that of the circle through their three nodes. The tangent of half the angle
+/// (Bergou et al. 2008, eq. 1) has five times the error.
 struct Bend {
-    using Block = Eigen::Matrix3d;
-    using Vec3 = geometry::Vec3;
+    using Block = Eigen::Matrix3d;  ///< A 3 x 3 matrix: derivatives by one node's place and another's.
+    using Vec3 = geometry::Vec3;    ///< A vector in the world's frame.
 
+    /// The bend from a link along `a` to the next along `b` [m], neither of length zero.
     Bend(const Vec3& a, const Vec3& b) : la(a.norm()), lb(b.norm()), ta(a / la), tb(b / lb), difference(tb - ta) {}
 
-    // Half its square changes with the nodes before it, at it and after it by these: with the first, with the last;
-    // what the node at it adds makes all of them nought.
+    /// The derivative of half the bend's square by the place of the first of the three nodes [1/m]. The derivative by
+    /// the middle node is minus the sum of this and by_last().
     Vec3 by_first() const { return aside(ta) / la; }
+    /// The derivative of half the bend's square by the place of the last of the three nodes [1/m].
     Vec3 by_last() const { return aside(tb) / lb; }
 
-    // Second derivatives by the first node twice, by the last twice, by first and last. `whole`: with how the links'
-    // ends turn, without which all of them together are positive.
+    /// Second derivatives of half the bend's square [1/m^2].
     struct Second {
-        Block first, last, both;
+        Block first;  ///< By the first node twice.
+        Block last;   ///< By the last node twice.
+        Block both;   ///< By the first node and the last.
     };
+    /// The second derivatives: with `whole` exact; else without how the links' ends turn, which leaves them positive
+    /// semidefinite together.
     Second second(bool whole) const {
         const double c = ta.dot(tb);
         const Block both =
@@ -34,11 +39,13 @@ struct Bend {
         return {first / (la * la), last / (lb * lb), both};
     }
 
-    // Twice the tangent of half the angle, along the axis that they bend about.
+    /// The curvature binormal (Bergou et al. 2008, eq. 1): along the axis of the bend, twice the tangent of half its
+    /// angle long.
     Vec3 binormal() const { return 2 / (1 + ta.dot(tb)) * ta.cross(tb); }
 
-    // Upper blocks of the second derivative, by the same nodes, of the angle by which a vector carried from link to
-    // link turns (Bergou et al. 2010, "Discrete viscous threads", appendix).
+    /// Upper blocks of the second derivative, by the three nodes in order, of the angle by which a vector carried from
+    /// link to link turns [1/m^2] (Bergou et al. 2010, "Discrete viscous threads", appendix); blocks below the diagonal
+    /// are zero.
     std::array<std::array<Block, 3>, 3> turn_by_nodes() const {
         const double chi = 1 + ta.dot(tb);
         const Vec3 k = binormal(), middle = (ta + tb) / chi;
@@ -50,8 +57,9 @@ struct Bend {
         return {{{a, ab - a, -ab}, {none, a - ab - ab.transpose() + b, ab - b}, {none, none, b}}};
     }
 
-    double la, lb;
-    Vec3 ta, tb, difference;
+    double la, lb;    ///< Lengths of the two links [m].
+    Vec3 ta, tb;      ///< Unit tangents of the two links.
+    Vec3 difference;  ///< The bend: tb - ta, of length 0 to 2.
 
   private:
     static Block cross_matrix(const Vec3& v) {

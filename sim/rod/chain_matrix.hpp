@@ -11,13 +11,13 @@ namespace sim::rod {
 /// two from the diagonal. Solved directly, in time and room that grow with the number of nodes.
 class ChainMatrix {
   public:
-    using Block = Eigen::Matrix3d;
-    using Vec3 = geometry::Vec3;
+    using Block = Eigen::Matrix3d;  ///< What couples two nodes: 3 x 3 numbers.
+    using Vec3 = geometry::Vec3;    ///< What belongs to one node: 3 numbers.
 
-    static constexpr int width = 9;    ///< Of the band in one column, its diagonal and all.
-    static constexpr int stride = 12;  ///< From column to column.
+    static constexpr int width = 9;    ///< Numbers of the band in one column, from the diagonal down.
+    static constexpr int stride = 12;  ///< Numbers from the start of one column to that of the next.
 
-    /// All zero.
+    /// Makes it the zero matrix of a chain of so many nodes.
     void clear(std::size_t nodes);
 
     /// Adds to the block in row i and column j, i <= j <= i + 2, and what mirrors it; of a block on the diagonal all is

@@ -22,8 +22,8 @@ struct RodInput {
     std::span<const Vec3> loads = {};  ///< Force on each node [N], or none.
     std::span<const MovingCapsule> bodies =
         {};  ///< What nodes rest on and slide over, the same ones in every step; in step() alone.
-    /// How far the cross-section of the last link has been turned against that of the first about the rod, beyond what
-    /// they were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
+    /// Angle by which the cross-section of the last link has been turned against that of the first about the rod,
+    /// beyond what they were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
     std::optional<double> turn = {};
     /// Force that may stay unbalanced at a node [N]; nothing: fifty times what the rounding of its place does to the
     /// stiffest link.
@@ -34,26 +34,26 @@ struct RodInput {
 
 /// A force between two points of the rod, or on a point of it.
 struct Pair {
-    std::array<int, 4> node{};  ///< Its points lie apart by the sum of weight * node, and what is not the rod's.
-    std::array<double, 4> weight{};
-    int nodes = 0;
-    Vec3 force = Vec3::Zero();  ///< On what has positive weight [N].
+    std::array<int, 4> node{};       ///< The points lie apart by the sum of weight * node, and what is not the rod's.
+    std::array<double, 4> weight{};  ///< Share of each node in its point, -1..1; negative for the other point's nodes.
+    int nodes = 0;                   ///< How many entries of `node` and `weight` count, 0 to 4.
+    Vec3 force = Vec3::Zero();       ///< On what has positive weight [N].
 };
 
 /// A link that rolls on what it is pressed against: turning it towards the normal moves where it touches, and that
 /// turns it back.
 struct Rolling {
-    int link;
-    Vec3 normal;
-    double moment;  ///< For a turn by 1 rad [N m].
+    int link;       ///< Counted along the rod from 0.
+    Vec3 normal;    ///< The direction in which the link is pushed off, unit.
+    double moment;  ///< What a turn towards the normal by 1 rad turns it back with [N m].
 };
 
 /// What a step came to.
 struct RodReport {
-    int iterations = 0;   ///< Newton steps.
+    int iterations = 0;   ///< Newton iterations made.
     double residual = 0;  ///< Largest force on a node that is left unbalanced [N].
-    /// Any small move would cost energy: it is not about to buckle. Told of it as if its natural bends were straight:
-    /// false does not mean that one which keeps sharp bends would move.
+    /// Whether any small move would cost energy, so that the rod is not about to buckle. It is judged as if its natural
+    /// bends were straight: false does not mean that a rod which keeps sharp bends would move.
     bool stable = true;
     bool settled = true;  ///< Stable, and balanced within the tolerance.
 };
@@ -68,58 +68,73 @@ class Rod {
     /// Nodes at `nodes` [m], at least 3; rest lengths are the distances between them.
     Rod(const RodDef& def, std::vector<Vec3> nodes);
 
-    /// Everything in `input` must be finite and nodes exist; the caller sees to that.
-    /// One step of `seconds`, or with density 0 or no time to the equilibrium, in at most `most` iterations; with none
-    /// it only says whether the rod is in one, and a stable one.
+    /// Makes one step of `seconds` [s], or with density 0 or no time goes to the equilibrium, in at most `most`
+    /// iterations; with none it only says whether the rod is in an equilibrium, and a stable one. The caller keeps
+    /// everything in `input` finite and its nodes in range.
     RodReport step(const RodInput& input, double seconds, int most = 20);
 
-    /// The same in stages, for who knows what the rod touches. `input.holds` say which nodes are held.
+    /// Begins a step in stages, for a caller that knows what the rod touches: begin(), find_free_step(), add_forces()
+    /// and go_by() as often as needed, end(). `input.holds` say which nodes are held.
     void begin(const RodInput& input, double seconds);
-    /// The step to where it and these forces balance to first order, with held nodes going to `targets`.
+    /// Finds the Newton step to where the rod and these forces balance to first order, with held nodes going to
+    /// `targets`.
     void find_free_step(std::span<const Hold> targets, std::span<const Pair> pairs, std::span<const Rolling> rolling);
-    /// Its inverse is what a unit force on nodes moves them by [m/N].
+    /// The stiffness matrix of the step that was found last [N/m]; its inverse is what unit forces on nodes move them
+    /// by.
     ChainMatrix& matrix() { return matrix_; }
-    /// The step so far [m].
+    /// The step found so far, one displacement a node [m].
     std::span<const Vec3> step_found() const { return newton_; }
-    /// Adds what these forces on all nodes [N] change about the step.
+    /// Adds to the step what these forces change about it, one force a node [N]; those on held nodes do nothing.
     void add_forces(const std::vector<Vec3>& forces);
-    /// What of the step pulls or pushes no link harder than `most` [N].
+    /// The largest share of the step, 0..1, that pulls or pushes no link harder than `most` [N], or than it is already.
     double share_within(double most);
     /// Makes this share of the step, or what of it turns no link by more than 0.3 rad and leaves every node within
-    /// `bound` of where it is in `from`; returns what it made.
+    /// `bound` [m] of where it is in `from`; returns the share made, 0 where none will do.
     double go_by(double share, std::span<const Vec3> from, std::span<const double> bound);
+    /// Ends a step in stages: finds velocities and, where fibres yield, natural bends.
     void end();
 
-    /// Between steps: a link made two, and two links made one where they meet; nodes between two left out, with a cut
-    /// instead, of length 0. resize() after the last of them. A rod that is cut goes by stages alone and carries no
-    /// twist.
+    /// Between steps: makes a link two at `share` of it, 0..1. Call resize() after the last change of links.
     void split(std::size_t link, double share);
+    /// Between steps: leaves out the nodes between these two and puts a cut, a link of length 0, in their place. Call
+    /// resize() after the last change of links. A rod that is cut goes by stages alone and carries no twist.
     void leave_out(std::size_t first, std::size_t second);
+    /// Between steps: makes the two links that meet at a node one; the node goes. Call resize() after the last change
+    /// of links.
     void join_at(std::size_t node);
+    /// Brings masses and stiffnesses to the links as they are, after they have changed. O(n).
     void resize();
+    /// Makes room for so many links, so that steps and changes of links allocate nothing.
     void reserve(std::size_t links);
 
+    /// What the rod is made of.
     const RodDef& def() const { return def_; }
+    /// The n + 1 nodes [m], world frame.
     std::span<const Vec3> nodes() const { return now_.nodes; }
-    std::span<const Vec3> velocity() const { return now_.velocity; }  ///< [m/s]
+    /// The n + 1 nodes' velocities [m/s], world frame.
+    std::span<const Vec3> velocity() const { return now_.velocity; }
+    /// The n links' lengths when nothing pulls [m]; 0 of a cut.
     std::span<const double> rest_lengths() const { return rest_; }
-    std::span<const double> natural_bends() const {
-        return natural_;
-    }                                 ///< Of each node when unloaded, as the difference of its links' tangents.
-    double tension(int link) const;   ///< [N], negative where it is pushed together; 0 of a cut.
-    double twist_moment() const;      ///< [N m], the same all along.
-    Vec3 hold_force(int node) const;  ///< What a hold pulled with in the last step [N].
-    double twist() const {
-        return now_.twist;
-    }  ///< Of the last link against the first along the rod, its writhe taken off [rad].
+    /// What each node bends by when unloaded, as the difference of its links' tangents, 0 to 2; n + 1 numbers.
+    std::span<const double> natural_bends() const { return natural_; }
+    /// The pull that a link bears [N], negative where it is pushed together; 0 of a cut.
+    double tension(int link) const;
+    /// The moment that twist carries [N m], the same all along.
+    double twist_moment() const;
+    /// What the hold of a node pulled with in the last step [N].
+    Vec3 hold_force(int node) const;
+    /// Angle of the last link's cross-section against the first's along the rod, its writhe taken off [rad].
+    double twist() const { return now_.twist; }
 
     /// A node and a body that are near each other.
     struct Touch {
-        int node, body;
-        double push;       ///< [N] along the normal.
-        Vec3 anchor;       ///< Where it would come to rest without other forces [m].
-        double limit = 0;  ///< Of its friction in this step [N].
+        int node;          ///< Counted along the rod from 0.
+        int body;          ///< Index into RodInput::bodies.
+        double push;       ///< Force along the normal [N].
+        Vec3 anchor;       ///< Where the node would come to rest without other forces [m].
+        double limit = 0;  ///< The most that friction carries in this step [N].
     };
+    /// The nodes within a diameter of a body, as the last step ended.
     std::span<const Touch> touches() const { return now_.touches; }
 
     /// Calls visit(number) for every number that a step starts from: shape, speed, tensions, twist, touches and what it

@@ -5,9 +5,9 @@
 
 namespace sim::thread {
 
-/// As Thread::hash().
+/// The same as Thread::hash().
 std::uint64_t hash_of(const Mover& mover);
-/// As Thread::hash_of_all_carried().
+/// The same as Thread::hash_of_all_carried().
 std::uint64_t hash_of_all_carried(const Mover& mover);
 
 }  // namespace sim::thread

@@ -10,10 +10,11 @@ namespace sim::thread {
 /// Halves links that bend or touch and joins straight ones, by ThreadDef::shortest_link.
 class LinkFitter {
   public:
-    /// Of a thread of at most so many links.
+    /// Makes room for a thread of at most so many links.
     explicit LinkFitter(std::size_t most_links) { nearest_.reserve(most_links); }
 
-    /// Each time the thread has moved by its own radius; whether any changed. As Thread::fit_links(). O(n + contacts).
+    /// Does what Thread::fit_links() says, each time the thread has moved by its own radius; returns whether any link
+    /// changed. O(n + contacts).
     bool fit(Mover& mover, std::span<int> held);
 
   private:
@@ -26,14 +27,14 @@ class LinkFitter {
     std::vector<double> nearest_;  // per link: distance of the nearest other strand, in thicknesses
 };
 
-/// A node more, at a share of a link, 0..1; nothing moves. `held` as in Thread::fit_links().
+/// Puts a node more at a share of a link, 0..1; nothing moves. `held` is as in Thread::fit_links().
 void split(Mover& mover, std::size_t link, double share, std::span<int> held);
-/// After links have changed: what there is one of per link, and what was known of their surroundings.
+/// After links have changed: resizes what has one entry a link, and forgets what was known of their surroundings.
 void renew(Mover& mover);
 
-/// As Thread::cut().
+/// The same as Thread::cut().
 bool cut(Mover& mover, std::size_t link, double share, std::span<int> held);
-/// As Thread::most_loaded().
+/// The same as Thread::most_loaded().
 int most_loaded(const Mover& mover);
 
 }  // namespace sim::thread

@@ -11,10 +11,10 @@ using geometry::Box;
 /// where every link, tool and triangle was and is.
 class Audit {
   public:
-    /// Of a thread of at most so many links.
+    /// Makes room for a thread of at most so many links.
     explicit Audit(std::size_t most_links);
 
-    /// Pass-throughs between State::before and State::nodes, of the thread through itself, tools and the surface.
+    /// How often the thread passed through itself, tools or the surface between State::before and State::nodes.
     int count_pass_throughs(const State& state);
 
   private:

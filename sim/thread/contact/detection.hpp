@@ -11,13 +11,14 @@ namespace sim::thread::contact {
 /// stands.
 class Detection {
   public:
-    /// Of a thread of at most so many links.
+    /// Makes room for a thread of at most so many links.
     explicit Detection(std::size_t most_links);
 
-    /// Every pair within State::reach of each other, where it is not known already, with room for held nodes and tools
-    /// to go `way` [m] from here; returns whether anything was to be found.
+    /// Finds every pair within State::reach of each other, where it is not known already, with room for held nodes and
+    /// tools to go `way` [m] from here; returns whether it had to look.
     bool look_around(State& state, double way);
-    /// Only what tools are near; the next look_around() sees the rest. Contacts are not to be used for more before it.
+    /// Finds only what tools are near; the next look_around() sees the rest, and before it contacts serve for nothing
+    /// else. `way` and the result are as in look_around().
     bool look_at_tools(State& state, double way);
 
   private:

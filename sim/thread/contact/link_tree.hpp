@@ -15,14 +15,15 @@ using geometry::Vec3;
 /// Near neighbours in order are near in space, which is what keeps self-tests cheap ([Guibas2004], necklaces).
 class LinkTree {
   public:
-    static constexpr int leaf_links = 4;
+    static constexpr int leaf_links = 4;  ///< Links in a leaf; the last leaf may hold fewer.
 
+    /// Makes a tree over so many links, the most that it may come to have.
     explicit LinkTree(int most_links);
 
-    /// So many links there are from now on, no more than at first. Allocates nothing.
+    /// Sets the number of links, no more than at first. Allocates nothing.
     void resize(int links);
 
-    /// Boxes of the links between consecutive `nodes`, without radius.
+    /// Brings all boxes to the links between consecutive `nodes` [m], one more than there are links, without radius.
     void refit(std::span<const Vec3> nodes);
 
     /// Calls visit(i, j) with i + skip <= j for every two links whose leaves come within `reach` [m] of each other.

@@ -10,11 +10,16 @@
 // The thread as both movers share it, and what it is near.
 namespace sim::thread::contact {
 
-enum class Against : std::uint8_t { thread, capsule, surface };
+/// What a link is near.
+enum class Against : std::uint8_t {
+    thread,   ///< Another link of the same thread.
+    capsule,  ///< A tool part, one of TickInput::capsules.
+    surface,  ///< A triangle of TickInput::surface.
+};
 
 /// A link near something: what bounds its nodes, and whether it may touch in this substep.
 struct Contact {
-    Against against;
+    Against against;     ///< What `other` counts.
     int link;            ///< Counted along the thread from 0.
     int other;           ///< Link, capsule of the input or triangle of the surface, by `against`.
     double thickness;    ///< Distance of centre line to centre line or surface at which the two touch [m].
@@ -24,7 +29,7 @@ struct Contact {
     double gap = 0;      ///< What the distance is at least, as the substep begins [m].
 };
 
-/// Those of contacts as State keeps them that are not with walls, of which there are many more.
+/// The contacts, as State keeps them, that are not with walls, of which there are many more.
 template <class Contacts>
 auto but_walls(Contacts& contacts) {
     return std::span(contacts.begin(), std::partition_point(contacts.begin(), contacts.end(), [](const Contact& c) {
@@ -36,7 +41,7 @@ auto but_walls(Contacts& contacts) {
 /// `normal` from the point at `t` of the other. Pushes are totals of the substep: by Follow-The-Leader multipliers in
 /// metres over inverse mass, of an elastic thread forces in newtons.
 struct Row {
-    Against against;
+    Against against;         ///< As in Contact.
     int link;                ///< As in Contact.
     int other;               ///< As in Contact.
     double thickness;        ///< As in Contact [m].
@@ -61,20 +66,22 @@ struct Row {
     bool is_there_still = false;  ///< Elastic: a contact of the last step that was found again in this one.
     Vec3 began = Vec3::Zero();    ///< Elastic: push() as the tick began [N].
 
+    /// The whole push on the link, along the normal and across it, in the units of its parts.
     Vec3 push() const { return normal_push * normal + tangent_push; }
 };
 
 /// What both movers carry from tick to tick, and what a tick hands from stage to stage. A mover's own state extends
 /// it; scratch belongs to the class that uses it.
 struct State {
-    /// Nodes at `start_nodes` [m], at least 2; the links in `cuts` are none.
+    /// A thread at rest with nodes at `start_nodes` [m], at least 2; the links in `cuts` are cuts.
     State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::span<const int> cuts = {});
-    /// Brings what there is one of per node or link, and no tick hands on, to the number of links. Allocates nothing
-    /// once reserved.
+    /// Resizes what has one entry a node or link, and no tick hands on, to the number of links. Allocates nothing once
+    /// reserved.
     void size_for_links();
     /// The most links there may come to be, by ThreadDef::shortest_link and the lengths of the links now.
     std::size_t most_links() const;
 
+    /// The number of links, cuts among them.
     int links() const { return static_cast<int>(rest_length.size()); }
     /// A cut is a link that is no more; it has no length, and what it parts meets only as other strands do.
     bool is_cut(std::size_t link) const { return rest_length[link] == 0; }
@@ -89,15 +96,15 @@ struct State {
         return !asleep.empty() && asleep[static_cast<std::size_t>(link)] && asleep[static_cast<std::size_t>(link) + 1];
     }
 
-    ThreadDef def;
-    std::vector<Vec3> nodes;          ///< n + 1 positions [m].
-    std::vector<double> rest_length;  ///< n [m]; 0 of a cut.
+    ThreadDef def;                    ///< What the thread is, as it was made.
+    std::vector<Vec3> nodes;          ///< n + 1 positions [m], world frame.
+    std::vector<double> rest_length;  ///< n lengths when nothing pulls [m]; 0 of a cut.
     std::vector<double> arc;          ///< n + 1: thread before each node [m], a cut as long as nothing is looked for.
-    double longest_link;              ///< Of all links when the thread was made [m].
-    std::vector<double> tension;      ///< n [N].
-    std::vector<SurfaceForce> surface_forces;  ///< As the last tick ended.
+    double longest_link;              ///< Length of the longest link when the thread was made [m].
+    std::vector<double> tension;      ///< n pulls [N].
+    std::vector<SurfaceForce> surface_forces;  ///< What the thread did to the surface as the last tick ended.
 
-    TickInput input;                   ///< Of the tick that runs; its spans end with it.
+    TickInput input;                   ///< What entered the tick that runs; its spans end with it.
     std::vector<double> inverse_mass;  ///< n + 1: 1, or 0 for a node that is held or sleeps.
     std::vector<Vec3> hold_from;       ///< Per hold: where its node was when the tick began [m].
     std::vector<double> progress;      ///< Per tool, nobody's first: share of its motion made in this tick, 0..1.
@@ -110,8 +117,8 @@ struct State {
 
     std::vector<Contact> contacts;  ///< Every pair within `reach` when last detected: strands, then tools, then walls.
     double reach = 0;               ///< How far links looked for others when last detected [m].
-    double moved = 0;               ///< Sum of the largest moves of nodes and tools since then [m].
-    bool is_rest_due = false;       ///< Only tools have been looked at since.
+    double moved = 0;               ///< Sum of the largest moves of nodes and tools since the last detection [m].
+    bool is_rest_due = false;       ///< Whether the last detection looked at tools alone.
     std::vector<int> seen;     ///< Holds, owners, capsules and size of the surface that the contacts were detected for.
     std::vector<char> asleep;  ///< n + 1 of an elastic thread, 1 where a node's piece sleeps; else empty.
 };
@@ -122,13 +129,13 @@ double worst_stretch(const State& state, const std::vector<Vec3>& nodes);
 /// By how much the thread turns at a node [rad], as the chord of the angle; 0 at the ends of a piece.
 double turn_at(const State& state, std::size_t node);
 
-/// Nearer than a radius to touching.
+/// Whether a row is nearer than a radius to touching.
 inline bool is_touched(const State& state, const Row& row) {
     return row.distance < row.thickness + state.def.radius;
 }
 
-/// Of a wall that its owner moves as an elastic thread presses on it (TickInput::soft_from): links lean on such with
-/// their ends.
+/// Whether a contact of an elastic thread is with a wall that its owner moves as the thread presses on it
+/// (TickInput::soft_from); links lean on such a wall with their ends.
 template <class RowOrContact>
 bool is_on_soft_wall(const State& state, const RowOrContact& c) {
     return state.def.elastic && c.against == Against::surface && c.other >= state.input.soft_from;

@@ -8,12 +8,12 @@ namespace sim::thread::elastic {
 
 using contact::Motion;
 
-/// How far tools, and what they hold, go in a step of an elastic thread: up to what they meet, into what gives way as
+/// How far tools, and what they hold, go in a step of an elastic thread: up to what they meet, into what moves away as
 /// far as it does, along what does not.
 class Advance {
   public:
-    /// What share of the motion that is left tools may make before we look again, should the thread answer as freely as
-    /// it may, 0..1; `left`: of the tick's, 0..1. O(contacts).
+    /// The share, 0..1, of the motion left that tools may make before the next detection, should the thread respond as
+    /// freely as it may. `left`: the share of the tick's motion still to be made, 0..1. O(contacts).
     double share_of_tools(const State& state, double left, const Motion& motion);
 
   private:
@@ -23,8 +23,8 @@ class Advance {
     std::vector<double> room_at_walls_;  // per node: what is free between its links and walls [m]
 };
 
-/// What share tools may make should the thread not give way: no farther into links than any may be, 0..1; `share`: what
-/// they may make should it.
+/// The share, 0..1, that tools may make should the thread not move away: no farther into links than any may be.
+/// `share`: what they may make should it move.
 double careful_share(const State& state, double left, double share);
 
 /// Whether a step may be found twice: not where one solves as many contacts as a tick may.
@@ -33,8 +33,8 @@ bool may_dare(const State& state);
 /// Whether the step that was found leaves a tool farther in a link than any may be. O(contacts with tools).
 bool is_deep(const State& state);
 
-/// Leaves out of `targets`, one a hold of the input, what would lead what is held too far into a tool that does not
-/// hold it or, where no jaws do, into a wall: it slides.
+/// Takes out of `targets`, one a hold of the input, the motion that would lead what is held too far into a tool that
+/// does not hold it or, where no jaws do, into a wall: it slides along instead.
 void slide_aside(const State& state, std::vector<Hold>& targets);
 
 }  // namespace sim::thread::elastic

@@ -8,22 +8,22 @@ namespace sim::thread::elastic {
 /// Whether a row is too far off to push in the next step, which leaves it just touching at most.
 bool is_far(const State& state, const Row& row);
 
-/// By how much a wall that gives way goes for what a push on it has changed by since it was moved [m/N]; 0 where it
-/// does not.
+/// The compliance of a soft wall to what a push on it has changed by since the wall was moved [m/N]; 0 of a hard one.
 double give_of_wall(const State& state, const Row& row);
 
-/// What of all that an elastic thread is near may press on it in a step.
+/// Finds what of all that an elastic thread is near may press on it in a step.
 class PressFinder {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit PressFinder(std::size_t most_links);
 
-    /// Rows that press, or may come to in this step, into `presses`, nearest first. O(rows log rows + rows presses).
+    /// Puts the rows that press, or may come to in this step, into `presses`, nearest first. O(rows log rows + rows
+    /// presses).
     void find(State& state, std::vector<Press>& presses);
 
-    /// Of those found last: the forces on the rod.
+    /// The forces on the rod of the presses found last.
     std::span<const Pair> pairs() const { return pairs_; }
-    /// Of those found last: links that roll on what they are pressed against.
+    /// The links of the presses found last that roll on what they are pressed against.
     std::span<const Rolling> rolling() const { return rolling_; }
 
   private:

@@ -12,7 +12,7 @@ namespace sim::thread::elastic {
 /// A thread that moves by forces: an elastic rod with contacts and Coulomb friction.
 class Mover {
   public:
-    /// As contact::State; `def` is elastic, and there are at least 3 nodes.
+    /// Makes it of what contact::State's constructor takes; `def` is elastic, and there are at least 3 nodes.
     Mover(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts);
 
     /// What is carried from tick to tick.
@@ -20,25 +20,25 @@ class Mover {
     /// What is carried from tick to tick, for who changes links between ticks.
     State& state() { return state_; }
 
-    /// All of a tick but what is told of it; State::input is known. Eight steps at most, each O(n + m^2) for m contacts
-    /// that touch.
+    /// Makes a tick with State::input, all but its report's figures of the whole thread. Eight steps at most, each
+    /// O(n + m^2) for m contacts that touch.
     void tick(TickReport& report);
-    /// Into State::surface_forces, after the tick: pushes and friction of what presses on the surface.
+    /// After the tick: puts the pushes and the friction of what presses on the surface into State::surface_forces.
     void find_surface_forces();
 
     /// Whether links must stay as they are in this tick: never.
     bool keeps_links() const { return false; }
-    /// A node more has come between those of `link`, at `share` of it.
+    /// Takes note that a node more has come between those of `link`, at `share` of it, 0..1.
     void split(std::size_t link, double share);
-    /// A node, neither end of its piece, is no more.
+    /// Takes note that a node, neither end of its piece, is left out.
     void join_at(std::size_t node);
-    /// Nodes between these two are no more, nor what pressed on their links.
+    /// Takes note that the nodes between these two are left out, and with them what pressed on their links.
     void leave_out(std::size_t first, std::size_t second);
-    /// Links have changed: what there is one of per link, and what was known of the surroundings, is begun anew.
+    /// After links have changed: resizes what has one entry a link, and forgets what was known of the surroundings.
     void renew();
-    /// The thread was cut: nothing of it jams.
+    /// Takes note that the thread was cut: an elastic thread carries no jams to forget.
     void forget_jams() {}
-    /// As holds do: nothing moves the nodes of pieces that sleep.
+    /// Keeps the nodes of pieces that sleep from moving, as holds do.
     void hold_what_sleeps();
     /// Wakes the piece that a link is of.
     void wake_at(std::size_t link);

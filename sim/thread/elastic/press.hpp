@@ -6,22 +6,23 @@
 
 namespace sim::thread::elastic {
 
-/// Presses one after the other.
+/// A run of presses, one after the other.
 struct Run {
-    std::size_t first;  ///< The first of them.
-    std::size_t past;   ///< One past the last.
+    std::size_t first;  ///< Index of the first press.
+    std::size_t past;   ///< Index one past the last press.
 };
 
 /// A contact of an elastic thread during one step.
 struct Press {
+    /// A press at a row of State::rows, which must outlive it.
     explicit Press(Row* of) : row(of), normal(of->normal) {}
 
-    Row* row;                    ///< Of State::rows; where it touches.
-    Vec3 normal;                 ///< The row's: sweeps have it at hand with what follows.
-    Vec3 push = Vec3::Zero();    ///< On the link, drag and all [N].
+    Row* row;                    ///< The row of State::rows that says where it touches.
+    Vec3 normal;                 ///< The row's normal: sweeps have it at hand with what follows.
+    Vec3 push = Vec3::Zero();    ///< Force on the link, drag and all [N].
     Vec3 began = Vec3::Zero();   ///< The push as the tick began [N].
     Vec3 rest = Vec3::Zero();    ///< Where it would press and drag no more: the link's point from the other's [m].
-    double friction = 0;         ///< Coulomb's coefficient, and what a polyline lacks.
+    double friction = 0;         ///< Coulomb's coefficient, corrected for what a polyline lacks.
     double give = 0;             ///< Compliance of the contact itself and of what it presses on [m/N].
     double gives = 0;            ///< Compliance of its points to its own push along the normal, along it [m/N].
     Vec3 across = Vec3::Zero();  ///< How its points move for a unit push along the normal [m/N].
@@ -31,20 +32,19 @@ struct Press {
     Pair pair;                   ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< First axis of each of those nodes among all that touch.
     std::array<int, 2> piece{-1, -1};     ///< Pieces of the thread that it touches; none: -1.
-    std::size_t answers = 0;              ///< Which list of those that answer to its pushes is its.
+    std::size_t answers = 0;              ///< Number of the list of presses that respond to its pushes.
 };
 
 /// All contacts of a step, or of an island.
 struct PressSet {
-    std::vector<Press> presses;
-    /// Three numbers a press: from the other's point to the link's as the step has it [m].
-    std::vector<double> apart;
+    std::vector<Press> presses;  ///< The contacts, nearest first.
+    std::vector<double> apart;  ///< Three numbers a press: from the other's point to the link's as the step has it [m].
 
     /// How far a press's points are apart as the step has it [m].
     Vec3 apart_of(std::size_t c) const { return Eigen::Map<const Vec3>(apart.data() + 3 * c); }
 };
 
-/// How far the step that was found takes a row's points apart, were it for the nodes alone [m].
+/// How far the nodes' step that was found takes a row's points apart, tools and walls left where they are [m].
 Vec3 way_of(const State& state, const Row& row);
 
 }  // namespace sim::thread::elastic

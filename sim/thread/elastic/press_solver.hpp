@@ -11,9 +11,9 @@ void push_more(PressSet& set, const Responses& responses, std::size_t c, const V
 /// The normal forces of all contacts together: a linear complementarity problem, by block principal pivoting.
 class NormalSolver {
   public:
-    /// Where sweeps left a contact a hundredth of a thickness nearer than it would be: what all push across, to
-    /// rounding, with what they drag as it is but within its cone. A Cholesky factorisation of the contacts that push
-    /// for each change of the set. `radius`: of the thread [m].
+    /// Where sweeps left a contact a hundredth of a thickness nearer than it would be: finds what all push across, to
+    /// rounding, with what they drag as it is but within its cone. It costs a Cholesky factorisation of the contacts
+    /// that push for each change of the set. `radius`: of the thread [m].
     void part(PressSet& set, const Responses& responses, double radius);
 
   private:
@@ -32,8 +32,8 @@ class NormalSolver {
 /// What an elastic thread touches, solved together with it.
 class PressSolver {
   public:
-    /// All of a set, until they push as Coulomb wants it, against the rod whose step with the pushes as they were is
-    /// known; returns how often all were looked at.
+    /// Solves a set until all push as Coulomb's law wants it, against the rod whose step with the pushes as they were
+    /// is known; returns how many sweeps over the set that took.
     int solve(State& state, PressSet& set, const Pieces& pieces);
 
   private:
@@ -50,10 +50,10 @@ class PressSolver {
 /// Islands of contacts, each solved by itself.
 class IslandSolver {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit IslandSolver(std::size_t most_links);
 
-    /// As PressSolver::solve(), island by island; returns the most sweeps that one took.
+    /// Does what PressSolver::solve() does, island by island; returns the most sweeps that one took.
     int solve(State& state, PressSet& set);
 
   private:

@@ -7,34 +7,36 @@
 
 namespace sim::thread::elastic {
 
-/// Of each node its piece of a cut thread.
+/// Which piece of a cut thread each node belongs to.
 struct Pieces {
-    std::vector<int> of_node;  ///< n + 1, 0 first.
-    std::size_t count = 1;     ///< Of all pieces.
+    std::vector<int> of_node;  ///< n + 1 numbers of pieces, from 0 in their order along the thread.
+    std::size_t count = 1;     ///< How many pieces there are.
 
+    /// Numbers the pieces of a thread as it is now. O(n).
     void find(const State& state);
 };
 
 /// The Delassus matrix of the contacts: how far apart a unit push at each moves the points of every other [m/N].
 class Responses {
   public:
-    /// Three rows and columns of the matrix.
+    /// Three rows and columns of the matrix, seen in place.
     using Block = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<>>;
 
-    /// Room for so many contacts at so many nodes, not a number until written.
+    /// Makes room for so many contacts at so many nodes, not a number until written.
     void reserve(std::size_t contacts, std::size_t nodes);
 
-    /// Of these contacts, with the rod's inverse at the nodes that they touch; O(m n + m^2) for m contacts that touch n
-    /// nodes. Where contacts share no piece of the thread nothing is written. Tells each contact where its answers are.
+    /// Measures the matrix of these contacts with the rod's inverse at the nodes that they touch; O(m n + m^2) for m
+    /// contacts that touch n nodes. Where contacts share no piece of the thread nothing is written. Tells each contact
+    /// where its list of answers_to() is.
     void measure(State& state, std::vector<Press>& presses, const Pieces& pieces);
 
-    /// The contacts that move when one pushes, increasing, itself among them unless nothing moves: those that share a
-    /// piece of thread with it.
+    /// The contacts that move when one pushes, increasing: those that share a piece of thread with it, itself among
+    /// them unless nothing moves.
     std::span<const Run> answers_to(const Press& press) const;
-    /// How points of contact c move for pushes at contact d, where they share a piece [m/N]; valid until the next
+    /// How the points of contact c move for pushes at contact d, where they share a piece [m/N]; valid until the next
     /// measure(). By rows, as the whole matrix is: Eigen sums the other way round by columns, to other last bits.
     Block block(std::size_t c, std::size_t d) const;
-    /// One number an axis of every contact: how they move for a unit push at contact c along an axis [m/N].
+    /// How every contact's points move for a unit push at contact c along `axis`, 0 to 2: one number an axis [m/N].
     const double* row(std::size_t c, std::size_t axis) const {
         return table_.data() + (3 * c + axis) * static_cast<std::size_t>(size_);
     }

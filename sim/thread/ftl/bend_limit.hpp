@@ -8,12 +8,12 @@ namespace sim::thread::ftl {
 /// Keeps every bend no tighter than a round thread can: none has a radius below its own.
 class BendLimit {
   public:
-    /// Of the links that the thread has.
+    /// Measures the limit at the links that the thread has.
     explicit BendLimit(const State& state);
-    /// After links have changed.
+    /// Measures the limit anew, after links have changed.
     void resize(const State& state);
 
-    /// One pass from the first node to the last: outer ends of two links that bend too tightly move apart. O(n).
+    /// Makes one pass from the first node to the last: outer ends of two links that bend too tightly move apart. O(n).
     void limit(State& state) const;
 
   private:

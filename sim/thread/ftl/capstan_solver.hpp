@@ -11,13 +11,14 @@ namespace sim::thread::ftl {
 /// Whether any row that glides pushes or is about to.
 bool is_on_steel(const State& state);
 
-/// All lengths of a thread that lies along steel, with the pushes and the friction of the steel.
+/// Solves all lengths of a thread that lies along steel together with the pushes and the friction of the steel.
 class CapstanSolver {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit CapstanSolver(std::size_t most_links);
 
-    /// As LengthSolver::solve(), with all rows that glide: one Newton step of them together. O(n).
+    /// Makes one Newton step of all lengths and all rows that glide together; returns the worst |l/l0 - 1| found before
+    /// it. O(n).
     double solve(State& state, LengthSolver& lengths);
 
   private:

@@ -5,7 +5,7 @@
 
 namespace sim::thread::ftl {
 
-/// No node leaves its bound, whatever stage moved it. O(n).
+/// Brings every node back within State::bound of where the substep began, whatever stage moved it. O(n).
 inline void clip(State& state) {
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
         const Vec3 moved = state.nodes[i] - state.before[i];

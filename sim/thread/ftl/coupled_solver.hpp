@@ -11,23 +11,23 @@ namespace sim::thread::ftl {
 
 using contact::Table;
 
-/// Contacts and lengths together: the Schur complement of the lengths on the rows that push.
+/// Solves contacts and lengths together, by the Schur complement of the lengths on the rows that push.
 class CoupledSolver {
   public:
-    static constexpr int most_rows = 64;  ///< Solved together with all lengths.
+    static constexpr int most_rows = 64;  ///< The most rows that are solved together with all lengths.
 
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit CoupledSolver(std::size_t most_links);
 
-    /// All rows that push, together with all lengths, by the factors of the last length solve; returns the worst
+    /// Solves all rows that push, together with all lengths, by the factors of the last length solve; returns the worst
     /// overlap that its linear model expects to be left, 1 where it is small enough. O(n + m^2) for m rows.
     double solve(State& state, const LengthSolver& lengths);
 
-    /// Of the last solve: how many rows were solved together.
+    /// How many rows the last solve took together.
     std::size_t rows() const { return pushed_.size(); }
-    /// Of the last solve: a row that was solved.
+    /// Row c of those that the last solve took, from 0.
     const Row& row(std::size_t c) const { return *pushed_[c].row; }
-    /// Of the last solve: how far a row's points should be apart after it, by the linear model [m].
+    /// How far apart the points of row c should be after the last solve, by its linear model [m].
     Vec3 foreseen(std::size_t c);
 
   private:

@@ -5,18 +5,19 @@
 
 namespace sim::thread::ftl {
 
-/// Held nodes to where they are asked to be at State::progress; those held side by side keep their links' lengths.
+/// Puts held nodes where they are asked to be at State::progress; those held side by side keep their links' lengths.
 void place_held(State& state);
-/// Taut spans between held nodes go along with what the ways of both ends have in common, into State::carried. O(n).
+/// Moves taut spans between held nodes along with what the displacements of both ends have in common, and notes it in
+/// State::carried. O(n).
 void carry_taut_spans(State& state);
 
 /// Nodes follow held ones, from every one of them outwards.
 class FollowLeader {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit FollowLeader(std::size_t most_links);
 
-    /// All nodes that are not held; between two that are, from both ends and blended. O(n).
+    /// Moves all nodes that are not held; between two that are, it follows from both ends and blends. O(n).
     void follow(State& state);
 
   private:

@@ -8,12 +8,12 @@ namespace sim::thread::ftl {
 /// Keeps all links as long as they are made, together, and hands on its last factors.
 class LengthSolver {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit LengthSolver(std::size_t most_links);
 
-    /// One Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it. O(n).
+    /// Makes one Newton step of all lengths at once; returns the worst |l/l0 - 1| found before it. O(n).
     double solve(State& state);
-    /// Directions and length errors of all links; returns the worst |l/l0 - 1|. A cut has neither.
+    /// Measures directions and length errors of all links; returns the worst |l/l0 - 1|. A cut has neither.
     double measure(const State& state);
     /// x = A^-1 x by the factors of the last solve, one number a link. O(n).
     void substitute(std::vector<double>& x) const;
@@ -22,9 +22,9 @@ class LengthSolver {
     const Vec3& unit(std::size_t link) const { return unit_[link]; }
     /// What a link lacked in length when last measured, and before the next solve [m].
     double lack(std::size_t link) const { return multiplier_[link]; }
-    /// Of the last factors: one over the link's pivot [1].
+    /// One over a link's pivot in the last factors [1].
     double pivot(std::size_t link) const { return pivot_[link]; }
-    /// Of the last factors: the share of the next link's answer that this one gives back [1].
+    /// The share of the next link's solution that this one takes back, by the last factors [1].
     double upper(std::size_t link) const { return upper_[link]; }
 
   private:

@@ -11,7 +11,7 @@ namespace sim::thread::ftl {
 /// A thread that moves by its geometry alone: Follow-The-Leader, with contacts and friction.
 class Mover {
   public:
-    /// As contact::State.
+    /// Makes it of what contact::State's constructor takes.
     Mover(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int> cuts);
 
     /// What is carried from tick to tick.
@@ -19,28 +19,28 @@ class Mover {
     /// What is carried from tick to tick, for who changes links between ticks.
     State& state() { return state_; }
 
-    /// Tools to where they are asked to be, as far as the thread can follow; State::input is known. O(n + contacts) a
-    /// pass, and never more than a tick may cost.
+    /// Makes a tick with State::input: tools go where they are asked to be, as far as the thread can follow. O(n +
+    /// contacts) a pass, and never more than a tick may cost.
     void tick(TickReport& report);
-    /// Into State::surface_forces, after the tick: where a taut strand is turned by resting on a wall both its links
-    /// pull.
+    /// After the tick: puts into State::surface_forces what both links pull where a taut strand is turned by resting on
+    /// a wall.
     void find_surface_forces();
 
     /// Whether links must stay as they are in this tick: all is at rest, or a substep is unfinished.
     bool keeps_links() const { return state_.settled || state_.unfinished.pace >= 0; }
-    /// A node more has come between those of `link`, at `share` of it.
+    /// Takes note that a node more has come between those of `link`, at `share` of it, 0..1.
     void split(std::size_t link, double share);
-    /// A node, neither end of its piece, is no more.
+    /// Takes note that a node, neither end of its piece, is left out.
     void join_at(std::size_t node);
-    /// Nodes between these two are no more.
+    /// Takes note that the nodes between these two are left out.
     void leave_out(std::size_t first, std::size_t second);
-    /// Links have changed: what there is one of per link, and what was known of the surroundings, is begun anew.
+    /// After links have changed: resizes what has one entry a link, and forgets what was known of the surroundings.
     void renew();
-    /// The thread was cut: what was jammed may be free.
+    /// Takes note that the thread was cut: what was jammed may be free.
     void forget_jams();
-    /// Nodes that do not move by themselves but for holds: none.
+    /// Keeps the nodes of pieces that sleep from moving: here no piece sleeps.
     void hold_what_sleeps() {}
-    /// The piece of a link is about to change: nothing sleeps.
+    /// Wakes the piece that a link is of: here no piece sleeps.
     void wake_at(std::size_t) {}
 
   private:

@@ -11,10 +11,11 @@ using contact::Motion;
 
 /// Which tools move: one group, or all. Tools are numbered from 0; what nobody holds is -1.
 struct Movers {
-    std::size_t first;  ///< Of State::progress.
-    std::size_t past;   ///< Of State::progress.
-    std::size_t pace;   ///< Of State::paces.
+    std::size_t first;  ///< Index of the group's first tool in State::progress.
+    std::size_t past;   ///< Index past the group's last tool in State::progress.
+    std::size_t pace;   ///< Index of the group's step-size control in State::paces.
 
+    /// Whether the group has the tool `owner`, from -1.
     bool include(int owner) const {
         const auto group = static_cast<std::size_t>(owner + 1);
         return group >= first && group < past;
@@ -23,12 +24,13 @@ struct Movers {
 
 /// What tools ask for in a tick.
 struct Asked {
-    std::vector<Vec3> ways;  ///< Of what is held, then of the ends of their own parts [m].
+    std::vector<Vec3> ways;  ///< Displacements of what is held, then of the ends of tools' own parts [m].
     Motion motion;           ///< The longest of them.
 
-    /// Of these tools in this tick.
+    /// Collects what these tools ask for in this tick.
     void collect(const State& state, const Movers& movers);
-    /// A hand that trembles or pulls harder asks for the same, one that turns or stops does not.
+    /// Whether what is asked for is much the same as what was refused: a hand that trembles or pulls harder asks for
+    /// the same, one that turns or stops does not.
     bool is_much_the_same(const State& state, const std::vector<Vec3>& refused) const;
 };
 
@@ -36,17 +38,17 @@ struct Asked {
 /// into the thread by more than the thread's radius. O(n + contacts).
 double admissible_share(const State& state, const Movers& movers, const Motion& motion);
 
-/// Whether what is jammed waits in this tick; counts down the ticks that it still does.
+/// Whether what is jammed waits in this tick; counts down the ticks that it still waits.
 bool waits(const State& state, Pace& pace, const Asked& asked);
-/// After a substep that was refused: what is jammed is tried again after 1, 3, 7 ... ticks, a second at last: nothing
-/// has changed meanwhile.
+/// Shortens steps after a substep that was refused. What is jammed is tried again after 1, 3, 7 ... ticks, a second at
+/// last: nothing has changed meanwhile.
 void trust_less(Pace& pace);
-/// After one that was accepted: a hard step costs the same however short it is, so it too may become longer; slower,
-/// for a refused one quarters it again.
+/// Lengthens steps after a substep that was accepted. A hard step costs the same however short it is, so it too may
+/// become longer; more slowly, for a refused one quarters it again.
 void trust_more(Pace& pace, bool was_easy);
-/// The thread has moved: what it refused a while ago it may grant now.
+/// Lets what is jammed try again: the thread has moved, and may grant now what it refused a while ago.
 void wake(State& state);
-/// Steps so short are worked at for several ticks.
+/// Whether steps are so short that one is worked at for several ticks.
 inline bool creeps(const Pace& pace) {
     return pace.trust < 0.125;
 }

@@ -6,25 +6,26 @@
 
 namespace sim::thread::ftl {
 
-/// What an answer may cost at most.
+/// What the search for a substep's shape may cost at most.
 struct Effort {
-    int passes;     ///< Over contacts and lengths in turn.
-    int couplings;  ///< Solves of both together.
+    int passes;     ///< Passes over contacts and lengths in turn.
+    int couplings;  ///< Coupled solves of contacts and lengths together.
 };
 
-/// Contacts, bends and lengths until none is violated.
+/// Solves contacts, bends and lengths in turn until none is violated.
 class Relaxation {
   public:
-    /// Of the links that the thread has.
+    /// Makes room for the links that the thread may come to have.
     explicit Relaxation(const State& state);
-    /// After links have changed.
+    /// Measures bends anew, after links have changed.
     void resize(const State& state) { bends_.resize(state); }
 
     /// Moves nodes within their bounds; returns the worst violation left, 1 where tools must wait.
     double relax(State& state, Effort effort);
+    /// The limit of the thread's bends.
     const BendLimit& bends() const { return bends_; }
 
-    int work = 0;  ///< Done so far, in passes over contacts and lengths; who counts sets it back.
+    int work = 0;  ///< Work done so far, in passes over contacts and lengths; whoever counts sets it back.
 
   private:
     double solve(State& state);

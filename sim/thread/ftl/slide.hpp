@@ -8,19 +8,20 @@ namespace sim::thread::ftl {
 
 /// Whether the thread lies at walls and is only drawn, away from free ends.
 bool may_slide(const State& state);
-/// Into State::slides, after a substep: whether it may, and free ends followed: there is no slack to take up first.
+/// After a substep: notes in State::slides whether the thread may slide and its free ends followed, so that there is no
+/// slack to take up first.
 void note_whether_it_slides(State& state);
-/// What share of `way` [m] the thread can so follow in one step, 0..1.
+/// The share, 0..1, of a displacement of `way` [m] that the thread can follow in one step by sliding.
 double share_of_slide(const State& state, double way);
 
-/// A strand along itself.
+/// Moves a strand along itself.
 class Slide {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit Slide(std::size_t most_links);
 
-    /// The thread along itself after what leads it; returns the worst violation left, 1 where tools must wait, and adds
-    /// its passes to `work`.
+    /// Moves the thread along itself after what leads it; returns the worst violation left, 1 where tools must wait,
+    /// and adds its passes to `work`.
     double slide_along(State& state, FollowLeader& leader, const BendLimit& bends, int& work);
 
   private:

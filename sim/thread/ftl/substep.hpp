@@ -7,32 +7,38 @@
 
 namespace sim::thread::ftl {
 
-/// How the thread answers when held nodes move. Least motion first: all nodes together move as little as the lengths
+/// How the thread responds when held nodes move. Least motion first: all nodes together move as little as the lengths
 /// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread
 /// as if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its
 /// leader. Drawn over walls, through ten bites, it must slide along itself: neither is found. Where strands are jammed
 /// in each other and no answer is found for them, what presses stays where it is and the slack around it answers: a
 /// knot pulled tight must not hold up the hands that let go of it. What is unfinished is gone on with.
-enum class Answer { drift, follow_the_leader, slide, keep_what_presses, go_on };
+enum class Answer {
+    drift,              ///< All nodes move as little as the lengths allow.
+    follow_the_leader,  ///< Every node follows the one before it from the hold outwards.
+    slide,              ///< The thread moves along itself.
+    keep_what_presses,  ///< What presses stays, the rest moves as little as the lengths allow.
+    go_on,              ///< The unfinished substep is worked at further.
+};
 
 /// What an attempt came to.
 struct Substep {
-    bool accepted = false;  ///< Else all is as it was before.
+    bool accepted = false;  ///< Whether it stands; else all is as it was before.
     double over_bound = 0;  ///< Largest move of a node over its bound; at most 1.
-    int pass_throughs = 0;  ///< Found by the audit.
+    int pass_throughs = 0;  ///< Pass-throughs that the audit found.
 };
 
 /// Takes substeps, each whole or not at all.
 class Stepper {
   public:
-    /// Of the links that the thread has.
+    /// Makes room for the links that the thread may come to have.
     explicit Stepper(const State& state);
-    /// After links have changed.
+    /// Measures bends anew, after links have changed.
     void resize(const State& state) { relaxation_.resize(state); }
 
     /// Moves tools and held nodes to where they are at State::progress, by at most `way` [m], and lets the thread
-    /// answer. Undone unless the result is within tolerance or no worse than what was there: so a thread that cannot
-    /// follow stays as it is and the tools wait.
+    /// respond. It is undone unless the result is within tolerance or no worse than what was there: so a thread that
+    /// cannot follow stays as it is and the tools wait.
     Substep attempt(State& state, double way, Answer answer, Effort effort);
     /// What attempts have cost since it was last set to 0, in passes over contacts and lengths.
     int& work() { return relaxation_.work; }

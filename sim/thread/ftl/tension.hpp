@@ -5,13 +5,13 @@
 
 namespace sim::thread::ftl {
 
-/// What a thread of ThreadDef::axial_stiffness would carry, estimated from how far held nodes lag behind their targets.
+/// Estimates what a thread of ThreadDef::axial_stiffness would carry from how far held nodes lag behind their targets.
 class TensionEstimate {
   public:
-    /// For so many links at most.
+    /// Makes room for a thread of at most so many links.
     explicit TensionEstimate(std::size_t most_links);
 
-    /// Into State::tension [N], of every link. O(n + rows).
+    /// Puts the pull of every link into State::tension [N]. O(n + rows).
     void find(State& state);
 
   private:

@@ -7,10 +7,10 @@ namespace sim::thread::ftl {
 /// Finds what lies along steel as the rows were measured, into State::on_steel, and tells its rows what State::wraps
 /// knows of the last substep.
 void recall_wraps(State& state);
-/// What lies along steel as a substep ends, into State::wraps.
+/// Notes in State::wraps what lies along steel as a substep ends.
 void remember_wraps(State& state);
-/// What pressed on steel when the last substep ended is laid on it where it has come to: drift goes straight on, steel
-/// is round.
+/// Lays what pressed on steel when the last substep ended on it where it has come to: drift goes straight on, steel is
+/// round.
 void lie_on_steel(State& state);
 
 }  // namespace sim::thread::ftl
