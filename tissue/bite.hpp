@@ -75,7 +75,7 @@ struct Bite {
 
 /// Something that a needle or a pull did to a wall.
 struct BiteEvent {
-    /// What happened.
+    /// What can happen.
     enum Kind {
         pierced,    ///< The tip went into the wall.
         through,    ///< The tip came out of the wall.
@@ -84,9 +84,9 @@ struct BiteEvent {
         drawn,      ///< All of the needle is through.
         torn,       ///< The bite is torn out to the cut, which it now opens into.
         slipped,    ///< The tip went over an edge of a wall that gave way too much to be pierced; no bite.
-    } kind;
-    int bite;      ///< Its number; none: -1.
-    double force;  ///< That pierced a skin or tore it, or that the tip pressed with before it slipped [N].
+    } kind;         ///< What happened.
+    int bite;       ///< Its number; none: -1.
+    double force;   ///< That pierced a skin or tore it, or that the tip pressed with before it slipped [N].
 };
 
 /// A needle that goes into, through and out of one vessel's wall, as often as it likes; its bites remain. Before the

@@ -17,7 +17,7 @@ using sim::geometry::Vec3;
 /// there are is settled at the start; nothing is allocated afterwards.
 class BlockMatrix {
   public:
-    using Block = Eigen::Matrix3d;
+    using Block = Eigen::Matrix3d;  ///< What couples two nodes: 3 x 3 numbers.
 
     BlockMatrix() = default;  ///< Of no nodes.
     /// `nodes`: how many. `couplings`: pairs of nodes with a block, from 0, in any order, also more than once.

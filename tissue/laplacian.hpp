@@ -10,9 +10,10 @@ class Laplacian {
     /// Of a mesh at rest.
     explicit Laplacian(const Mesh& mesh);
 
-    void multiply(std::span<const Vec3> x, std::vector<Vec3>& to) const;  ///< to = L x, for x in m in m^2.
-    std::span<const int> neighbours(int node) const;                      ///< Columns of a node's row, its own too.
-    std::span<const double> weights(int node) const;  ///< Numbers of a node's row, in that order [m].
+    /// The product L x, one entry a node: x in [m] gives [m^2] in `to`, which is resized.
+    void multiply(std::span<const Vec3> x, std::vector<Vec3>& to) const;
+    std::span<const int> neighbours(int node) const;  ///< Columns of a node's row, its own too.
+    std::span<const double> weights(int node) const;  ///< Numbers of a node's row, in the order of neighbours() [m].
 
   private:
     std::vector<std::size_t> first_;

@@ -5,6 +5,7 @@
 // Indices of what is counted in int, as neighbours and differences are, or has three numbers each.
 namespace sim {
 
+/// The index of item i, at least 0.
 constexpr std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }

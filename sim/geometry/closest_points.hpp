@@ -8,11 +8,11 @@ namespace sim::geometry {
 /// A pair of points, one on each of two segments.
 struct ClosestPair {
     double s, t;              ///< Place along a0-a1 and b0-b1, each in [0, 1].
-    Vec3 on_a, on_b;          ///< [m], in the frame of the input.
-    double distance_squared;  ///< [m^2].
+    Vec3 on_a, on_b;          ///< The two points [m], in the frame of the input.
+    double distance_squared;  ///< Square of their distance [m^2].
 };
 
-/// Less is nearly parallel. A share, so no unit enters.
+/// Squared sine of the angle between segments below which they count as nearly parallel. A share, so no unit enters.
 constexpr double least_squared_sine = 1e-6;
 
 /// Closest points of the segments a0-a1 and b0-b1.
@@ -22,8 +22,8 @@ constexpr double least_squared_sine = 1e-6;
 /// Guarantee:  both points lie on their segments, so no contact is ever reported that is not there.
 /// Errors:     none. Cost: no allocation; some 10 ns, thrice that for segments parallel to within a thousandth.
 /// Source:     minimum of a convex quadratic on the unit square, by clamping [Ericson2005] 5.1.9.
-// In the header because the thread's contacts call it some thousand times a tick.
 inline ClosestPair closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+    // In the header because the thread's contacts call it some thousand times a tick.
     const Vec3 da = a1 - a0, db = b1 - b0, r = a0 - b0;
     const double aa = da.squaredNorm(), bb = db.squaredNorm(), ab = da.dot(db), ra = r.dot(da), rb = r.dot(db);
     const auto pair = [&](double s, double t) -> ClosestPair {

@@ -5,8 +5,9 @@
 // way on every x86-64 processor, while libm picks a variant by CPU.
 namespace sim::geometry {
 
+/// Sine and cosine of one angle.
 struct SinCos {
-    double sin, cos;
+    double sin, cos;  ///< Each -1..1.
 };
 
 /// Sine and cosine of `angle` [rad], any finite angle of moderate size; error below 1e-15 within +-pi.

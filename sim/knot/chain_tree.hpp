@@ -10,6 +10,7 @@ namespace sim::knot {
 /// holds some of them.
 class ChainTree {
   public:
+    /// A tree over these boxes, things numbered from 0. O(n).
     explicit ChainTree(const std::vector<geometry::Box>& boxes) : count_(static_cast<int>(boxes.size())) {
         while (leaves_ * of_leaf < count_) leaves_ *= 2;
         node_.resize(static_cast<std::size_t>(2 * leaves_));

@@ -6,7 +6,11 @@
 
 namespace sim::knot {
 
-enum class Group { psl27, a5 };
+/// The group that a diagram is coloured by.
+enum class Group {
+    psl27,  ///< PSL(2,7), of order 168.
+    a5,     ///< A5, the even permutations of five things, of order 60.
+};
 
 /// Colouring vector of a knot diagram: entry k counts the homomorphisms of the knot group to the group that send the
 /// base meridian to a fixed x (order 7 in PSL(2,7), order 3 in A5) and the longitude to x^k. Multiplicative under

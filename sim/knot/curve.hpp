@@ -29,10 +29,11 @@ Vec3 direction(int i);
 /// Where the ends of a strand can leave without crossing anything: directions in which an end is the outermost point of
 /// everything. Nothing for an end that is buried inside the hull.
 struct Ways {
-    std::optional<Vec3> from_first, from_last;
+    std::optional<Vec3> from_first, from_last;  ///< Unit vectors from the first vertex and from the last.
 };
 
-/// Of each open component; cost: up to 300 vertices of all for an end that is buried, some for one that is not.
+/// The ways out of each open component; a closed one has none. Cost: up to 300 vertices of all for an end that is
+/// buried, some for one that is not.
 std::vector<Ways> ways_out(const Polygons& components, const std::vector<bool>& closed);
 
 /// Whether every open end is free, so that the type is defined.

@@ -6,8 +6,8 @@ namespace sim::knot {
 
 /// One passage of a strand through a crossing.
 struct Passage {
-    int crossing;
-    bool over;
+    int crossing;  ///< Number of the crossing, from 0.
+    bool over;     ///< Whether the strand passes over.
     bool operator==(const Passage&) const = default;
 };
 
@@ -15,28 +15,31 @@ struct Passage {
 /// Every crossing occurs once over and once under. A component without passages is a circle apart.
 /// Sign: +1 when (over x under) points to the viewer, so the right-handed trefoil has three positive crossings.
 struct Diagram {
-    std::vector<std::vector<Passage>> strands;
-    std::vector<int> sign;  ///< Per crossing, +1 or -1.
+    std::vector<std::vector<Passage>> strands;  ///< Per component, its passages in order.
+    std::vector<int> sign;                      ///< Per crossing, +1 or -1.
 
+    /// The number of crossings.
     int crossings() const { return static_cast<int>(sign.size()); }
 };
 
-/// Where each crossing is met: strand and index in it.
+/// A place in a Gauss code.
 struct Place {
-    int strand = -1, index = -1;
+    int strand = -1, index = -1;  ///< The component, and the passage on it, both from 0.
 };
+/// Where each crossing is met.
 struct Places {
-    std::vector<Place> over, under;
+    std::vector<Place> over, under;  ///< Per crossing, its passage over and its passage under.
 };
+/// Finds where each crossing of a diagram is met. O(crossings).
 Places places(const Diagram& diagram);
 
 /// The diagram without the crossings marked `gone`, the others numbered anew.
 Diagram without(const Diagram& diagram, const std::vector<char>& gone);
 
-/// Reidemeister moves 1 and 2 that remove crossings, until none is left.
+/// Makes Reidemeister moves 1 and 2 that remove crossings, until none is left.
 void remove_curls_and_bigons(Diagram& diagram);
 
-/// remove_curls_and_bigons, and every over (under) stretch that has a shorter way over (under) the rest takes it.
+/// Does remove_curls_and_bigons, and every over (under) stretch that has a shorter way over (under) the rest takes it.
 /// At most `most` crossings are accepted; larger diagrams only lose curls and bigons.
 void simplify(Diagram& diagram, int most = 150);
 
@@ -44,20 +47,21 @@ void simplify(Diagram& diagram, int most = 150);
 /// this link has fewer crossings (Kauffman, Murasugi, Thistlethwaite 1987).
 bool reduced_alternating(const Diagram& diagram);
 
-/// The pieces no crossing connects, with the original numbers of their strands.
+/// A part of a diagram that no crossing connects with the rest.
 struct Piece {
-    Diagram diagram;
-    std::vector<int> strands;
+    Diagram diagram;           ///< The part alone, its crossings numbered anew.
+    std::vector<int> strands;  ///< Numbers that its strands have in the whole diagram.
 };
+/// The pieces of a diagram; together they have all its strands.
 std::vector<Piece> split_pieces(const Diagram& diagram);
 
-/// Cuts off visible summands: a stretch of one strand that holds both passages of each of its crossings.
-/// Returns the summands as one-strand diagrams, innermost first; `diagram` keeps the rest. A knot comes back whole in
-/// `summands`, its rest empty.
+/// A visible summand: a stretch of one strand that holds both passages of each of its crossings.
 struct Summand {
-    Diagram diagram;
-    int strand;
+    Diagram diagram;  ///< The stretch as a diagram of one strand.
+    int strand;       ///< Number of the strand that it was cut from.
 };
+/// Cuts off visible summands and returns them innermost first; `diagram` keeps the rest. A knot comes back whole among
+/// the summands, its rest empty.
 std::vector<Summand> cut_summands(Diagram& diagram);
 
 /// Half the sum of the signs of the crossings between strands i and j.

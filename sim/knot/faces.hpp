@@ -11,16 +11,24 @@ namespace sim::knot {
 /// its right face there. The diagram must outlive it.
 class Faces {
   public:
+    /// The faces of a whole diagram. O(crossings).
     explicit Faces(const Diagram& diagram) : Faces(diagram, -1, -1) {}
+    /// The faces of a diagram without the edge from passage `index` of `strand` on.
     Faces(const Diagram& diagram, int strand, int index);
 
+    /// The number of edges, the missing one included: two for each crossing.
     int edges() const { return edges_; }
+    /// The number of the missing edge; -1: none is missing.
     int missing() const { return missing_; }
+    /// The number of a strand's first edge; the others follow in order.
     int offset(int strand) const { return offset_[static_cast<std::size_t>(strand)]; }
+    /// The face, 0 to count() - 1, that a dart has on its left hand; -1 beside the missing edge.
     int face_of_dart(int dart) const { return face_[static_cast<std::size_t>(dart)]; }
+    /// The number of faces.
     int count() const { return count_; }
-    /// The face in which the missing edge starts (or ends).
+    /// The face in which the missing edge starts.
     int face_at_start() const { return face_beside(start_[static_cast<std::size_t>(missing_)]); }
+    /// The face in which the missing edge ends.
     int face_at_end() const { return face_beside(end_[static_cast<std::size_t>(missing_)]); }
 
   private:

@@ -9,11 +9,14 @@ namespace sim::knot {
 /// What a name may cost: some tens of milliseconds in all. Measured: a diagram visited in the skein costs by the square
 /// of its crossings, one that is simplified a hundredth of their cube.
 struct Work {
-    double left = 200000;
+    double left = 200000;  ///< What may still be spent; negative: it is spent.
+    /// Pays for a visit of a diagram in the skein.
     void spend_on_skein(const Diagram& diagram) { left -= 1.0 * diagram.crossings() * diagram.crossings(); }
+    /// Pays for a diagram's simplify().
     void spend_on_simplifying(const Diagram& diagram) {
         left -= 0.01 * diagram.crossings() * diagram.crossings() * diagram.crossings();
     }
+    /// Whether more was spent than there was.
     bool is_spent() const { return left < 0; }
 };
 
