@@ -19,7 +19,7 @@ struct FileError : std::runtime_error {
 /// larger.
 std::string read_text(const std::filesystem::path& file, std::size_t most_bytes);
 
-/// Without the byte order mark (EF BB BF) that some editors and spreadsheets begin a text with.
+/// The text without the byte order mark (EF BB BF) that some editors and spreadsheets begin a text with.
 std::string without_mark(std::string text);
 
 /// SHA-256 of `bytes` as 64 lower-case hex digits.

@@ -15,6 +15,7 @@ class JsonText {
     /// than 32, a number too large for a double.
     JsonText(const std::string& text, std::string name);
 
+    /// The document itself.
     const json& value() const { return value_; }
 
     /// Throws FileError that points at the value at `pointer` (or at its key) and says `what`.

@@ -9,20 +9,21 @@ namespace scenarios::drill {
 
 /// A figure that is shown, and judged where a drill has a band for it.
 struct Reading {
-    std::string name, title, unit;
-    double value;
-    int digits;  ///< After the point.
-    double at_s;
+    std::string name, title, unit;     ///< As in ScoreItem.
+    double value;                      ///< In `unit`.
+    int digits;                        ///< Digits after the point that the value is shown with.
+    double at_s;                       ///< When it was reached [s].
     std::string too_much, too_little;  ///< One sentence each for the resident.
 };
 
-/// Passed where there is no band. A value outside is shown with as many digits as tell.
+/// The item of a reading, passed where there is no band. A value outside its band is shown with as many digits as it
+/// takes to tell the two apart.
 ScoreItem judged(const Reading& reading, const std::optional<Band>& band);
 
-/// 0.25 -> "0.3" by one digit.
+/// A number with so many digits after the point: 0.25 is "0.3" with one.
 std::string fixed(double value, int digits);
 
-/// "3 to 8", "at most 120", "2".
+/// A band as people read it: "3 to 8", "at most 120", "2".
 std::string in_words(const Band& band);
 
 }  // namespace scenarios::drill

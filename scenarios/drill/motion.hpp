@@ -15,8 +15,8 @@ constexpr double settling_s = 0.5;
 
 /// Where a tool is at one time.
 struct MotionKey {
-    double t_s;                    ///< [s]
-    instruments::ToolInput input;  ///< Pose [m] and jaw then.
+    double t_s;                    ///< Simulated time [s].
+    instruments::ToolInput input;  ///< Pose [m] and jaw at that time.
 };
 
 /// What moves the instruments of a drill: a list of keys each, in the order of the drill's instruments.
@@ -25,20 +25,21 @@ class Motion {
     /// Keys per instrument; each list has at least one and is strictly increasing in time.
     explicit Motion(std::vector<std::vector<MotionKey>> keys);
 
-    /// Tools at time `t` [s]: position and jaw linear, rotation slerp; before the first key as there, after the last
-    /// likewise. Fills `tools`, one per instrument. No allocation; cost: logarithmic in keys.
+    /// Puts tools where they are at time `t` [s]: position and jaw linear, rotation slerp; before the first key as
+    /// there, after the last likewise. Fills `tools`, one per instrument. No allocation; cost: logarithmic in keys.
     void at(double t, std::span<instruments::ToolInput> tools) const;
 
     /// Time of the last key [s].
     double duration() const;
-    /// What is lost of it and of the rest after it where a drill ends at this time [s], in a sentence; nothing: "".
+    /// What a drill that ends at this time [s] loses of the motion and of the rest after it, in a sentence; "" for
+    /// nothing.
     std::string cut_short_at(double limit_s) const;
-    /// Where a device has left out rows, a sentence for each instrument that moves meanwhile; `instruments` are their
-    /// names. A gap is longer than 0.25 s and four times the usual time between rows, of a motion whose rows come
+    /// Says where a device has left out rows, a sentence for each instrument that moves meanwhile; `instruments` are
+    /// their names. A gap is longer than 0.25 s and four times the usual time between rows, of a motion whose rows come
     /// evenly; rows that a person wrote do not.
     std::vector<std::string> gaps(std::span<const std::string> instruments) const;
 
-    /// Per instrument, in order of time.
+    /// The keys of each instrument, in order of time.
     std::span<const std::vector<MotionKey>> keys() const { return keys_; }
 
   private:

@@ -4,7 +4,7 @@
 
 namespace scenarios::drill {
 
-/// "left" or "right", quoted, for messages.
+/// The names of all, for a message: "left" or "right", each in quotes.
 template <class Named>
 std::string names_of(const std::vector<Named>& all) {
     std::string names;

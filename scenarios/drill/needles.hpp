@@ -9,14 +9,16 @@ namespace scenarios::drill {
 /// A curved needle as makers sell it: a part of a circle, its length along the curve, its wire. Values of reference C2,
 /// of a taper point.
 struct NeedleCode {
-    const char* name;
-    double circle;  ///< Share of a whole circle.
-    double length;  ///< Along the curve [m].
-    double wire;    ///< Diameter [m].
+    const char* name;  ///< As drill files have it.
+    double circle;     ///< Share of a whole circle that the curve makes, 0..1.
+    double length;     ///< Length along the curve [m].
+    double wire;       ///< Diameter of the wire [m].
 };
 
+/// All needles that a drill file may name.
 std::span<const NeedleCode> needle_codes();
-const NeedleCode& needle_named(const std::string& name);  ///< One of them.
+/// The needle of that name, which must be one of needle_codes().
+const NeedleCode& needle_named(const std::string& name);
 
 /// A needle of that code from its tail, towards where its tip is, bulging to one side of the line between. `towards`
 /// and `bulge`: any lengths but zero, not parallel.

@@ -60,10 +60,10 @@ json with_defaults(const json& value, const Schema& schema);
 /// `value`, which has no problem, with keys in the order of the table.
 nlohmann::ordered_json in_table_order(const json& value, const Schema& schema);
 
-/// JSON text with what fits into a line on one line.
+/// The JSON text of a value, with what fits into a line on one line.
 std::string laid_out(const nlohmann::ordered_json& value, std::size_t indent = 0);
 
-/// JSON Schema, draft 2020-12, of `shape`, without the "$schema" line.
+/// The JSON Schema, draft 2020-12, of `schema`, without the "$schema" line.
 nlohmann::ordered_json json_schema_of(const Schema& schema);
 
 /// A number as people write it: shortest digits that give the same double.

@@ -8,14 +8,14 @@
 // What a session with a needle is scored by, each added to `items`.
 namespace scenarios::drill {
 
-/// How square to its wire the needle was held.
+/// Scores how square to its wire the needle was held.
 void score_needle(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items);
 
-/// Each bite: whether it goes between outside and lumen of one wall and holds, how far from the cut, at what angle; how
-/// many do.
+/// Scores each bite: whether it goes between outside and lumen of one wall and holds, how far from the cut, at what
+/// angle; and how many do.
 void score_bites(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items);
 
-/// Gap, lumen, leak and the ten lapses of two ends that are sewn.
+/// Scores gap, lumen, leak and the ten lapses of two ends that are sewn.
 void score_join(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items);
 
 }  // namespace scenarios::drill

@@ -7,10 +7,10 @@
 
 namespace scenarios::drill {
 
-/// What is wrong with a start path: at which corner (-1: the whole), and what.
+/// What is wrong with a start path.
 struct StartProblem {
-    int at;
-    std::string what;
+    int at;            ///< The corner at fault, from 0; -1: the whole path.
+    std::string what;  ///< What is wrong and what would be right: the end of a message.
 };
 
 /// Cuts thread.start to thread.length, measured from its first corner, and checks that a thread can lie there: long
@@ -18,11 +18,11 @@ struct StartProblem {
 /// links.
 std::optional<StartProblem> cut_and_check_start(world::WorldDef& world);
 
-/// The same for the last of world.spares, which must be clear of the threads before it, too.
+/// Does the same for the last of world.spares, which must be clear of the threads before it, too.
 std::optional<StartProblem> cut_and_check_last_spare(world::WorldDef& world);
 
-/// With a needle, the path's first two corners: its tail, and behind it along its wire as far as it is sure to go
-/// straight.
+/// The first two corners [m] of the path of a thread on a needle: the needle's tail, and a place behind it along its
+/// wire as far as the thread is sure to go straight.
 std::vector<world::Vec3> start_behind(const world::WorldDef& world, const sim::geometry::Arc& needle);
 
 /// The path used when none is given: with a needle straight on from start_behind(), else straight along y, 10 mm above

@@ -5,16 +5,17 @@
 
 namespace scenarios::drill {
 
-/// What is wrong with asking for this, as the end of a message on the key that is named; nothing when it can be tied.
+/// What is wrong with a goal.
 struct GoalFault {
-    std::string key, what;
+    std::string key, what;  ///< The key at fault, and the end of a message on it; both empty when the goal can be tied.
 };
+/// Says what is wrong with asking for this in a scene with or without a vessel.
 GoalFault fault_of(const Goal& goal, bool has_vessel);
 
-/// How many throws a notation has: "2=1" two.
+/// How many throws a notation has: "2=1" has two.
 int throw_count(const std::string& notation);
 
-/// Made fast round a vessel: of no throws.
+/// Whether a tie is a hitch, which is made fast round a vessel and has no throws.
 bool is_hitch(const std::string& tie);
 
 /// The throws that are asked for, in Tera and Aberg's notation: those given, or as many as are asked of this tie; empty

@@ -7,7 +7,7 @@
 
 namespace scenarios::drill {
 
-/// What a waypoint file may say, for who writes one.
+/// What a waypoint file may say, for its author.
 inline constexpr const char* waypoint_steps = R"(One step a line; '#' starts a comment; mm, s, mm/s.
 
   tool left pointing 1 0 -0.35 opening 0.35 0 1    how a tool is turned from the next step on: from handle to
@@ -29,12 +29,13 @@ inline constexpr const char* waypoint_steps = R"(One step a line; '#' starts a c
 
 /// A choreography of tools as a person writes it, by waypoint_steps.
 struct Waypoints {
-    std::vector<std::string> instruments;  ///< In order of `start`.
-    Motion motion;
+    std::vector<std::string> instruments;  ///< Names, in the order of the `start` line.
+    Motion motion;                         ///< A list of keys for each of them.
 };
 
 /// Reads a waypoint file. Throws FileError with file and line.
 Waypoints load_waypoints(const std::filesystem::path& file);
+/// Reads the text of a waypoint file, which messages call `name`; the rest as load_waypoints().
 Waypoints parse_waypoints(const std::string& text, const std::string& name);
 
 }  // namespace scenarios::drill

@@ -22,14 +22,19 @@ struct DatabaseError : std::runtime_error {
 /// middle of a commit left a journal, that is taken back in a copy, which goes with the object.
 class Database {
   public:
-    enum Mode { create, read };
+    /// What a file is opened for.
+    enum Mode {
+        create,  ///< Writes a new file; a file that is there already is opened as it is.
+        read,    ///< Reads a file that exists.
+    };
 
+    /// Opens `file`. Throws DatabaseError where that cannot be done.
     Database(const std::filesystem::path& file, Mode mode);
     ~Database();
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
-    /// SQLite's own, for what this class has no call for.
+    /// SQLite's own handle, for what this class has no call for.
     sqlite3* handle() const { return handle_; }
     /// Runs statements that give no rows.
     void run(const std::string& sql);
@@ -47,12 +52,13 @@ class Database {
 /// One prepared statement. Columns and parameters count from 0. Throws DatabaseError.
 class Statement {
   public:
+    /// Prepares one statement for a database that outlives it.
     Statement(Database& database, const char* sql);
     ~Statement();
     Statement(const Statement&) = delete;
     Statement& operator=(const Statement&) = delete;
 
-    /// Values for the parameters, in order.
+    /// Sets the parameters to these values, in order.
     template <typename... Values>
     Statement& bind(const Values&... values) {
         int place = 0;
@@ -62,10 +68,14 @@ class Statement {
     /// Goes to the next row; false after the last.
     bool step();
 
-    std::string text(int column) const;                                               ///< Of this row; "" for NULL.
-    double real(int column) const { return sqlite3_column_double(handle_, column); }  ///< 0 for no number.
-    std::int64_t integer(int column) const { return sqlite3_column_int64(handle_, column); }  ///< 0 for no number.
-    std::vector<char> blob(int column) const;                                                 ///< Empty for NULL.
+    /// A text of this row; "" for NULL.
+    std::string text(int column) const;
+    /// A number of this row; 0 for what is no number.
+    double real(int column) const { return sqlite3_column_double(handle_, column); }
+    /// A whole number of this row; 0 for what is no number.
+    std::int64_t integer(int column) const { return sqlite3_column_int64(handle_, column); }
+    /// The bytes of a blob of this row; empty for NULL.
+    std::vector<char> blob(int column) const;
 
   private:
     void bind_one(int place, const std::string& value);

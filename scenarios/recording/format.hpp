@@ -8,16 +8,17 @@
 
 namespace scenarios::recording {
 
-constexpr int format_version = 1;                    ///< PRAGMA user_version.
-constexpr std::int32_t application_id = 0x4352454c;  ///< PRAGMA application_id: "CREL".
-constexpr std::size_t numbers_per_tool = 8;          ///< x, y, z [m], qw, qx, qy, qz, jaw.
-constexpr std::size_t most_ticks = 65536;  ///< In a chunk; a count beyond is damage, not a request for memory.
-constexpr std::size_t most_tools = 16;     ///< For the same reason.
+constexpr int format_version = 1;                    ///< Version of the format, as PRAGMA user_version.
+constexpr std::int32_t application_id = 0x4352454c;  ///< What marks a recording, as PRAGMA application_id: "CREL".
+constexpr std::size_t numbers_per_tool = 8;          ///< Numbers of an input: x, y, z [m], qw, qx, qy, qz, jaw.
+constexpr std::size_t most_ticks = 65536;  ///< Most ticks in a chunk: more are damage, not a request for memory.
+constexpr std::size_t most_tools = 16;     ///< Most tools in a recording: more are damage, not a request for memory.
 
 /// What a recording is made of. head: one row. chunk: inputs of `ticks` ticks from `first_tick`, packed as pack() does.
 /// finished: a row once complete.
 constexpr const char* tables = R"(
-CREATE TABLE head(drill_text TEXT NOT NULL, drill_name TEXT NOT NULL, program_version TEXT NOT NULL, tick_s REAL NOT NULL);
+CREATE TABLE head(drill_text TEXT NOT NULL, drill_name TEXT NOT NULL, program_version TEXT NOT NULL,
+                  tick_s REAL NOT NULL);
 CREATE TABLE instrument(place INTEGER PRIMARY KEY, name TEXT NOT NULL);
 CREATE TABLE asset(name TEXT NOT NULL, sha256 TEXT NOT NULL);
 CREATE TABLE chunk(first_tick INTEGER PRIMARY KEY, ticks INTEGER NOT NULL, inputs BLOB NOT NULL);

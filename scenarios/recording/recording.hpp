@@ -33,7 +33,7 @@ constexpr std::uint64_t hash_period = 100;
 struct Head {
     std::string drill_text;                ///< The drill file itself, byte for byte.
     std::string drill_name;                ///< What it was called, for messages.
-    std::string program_version;           ///< Of the program that recorded it.
+    std::string program_version;           ///< Version of the program that recorded it.
     double tick_s = 1e-3;                  ///< Length of a tick [s].
     std::vector<std::string> instruments;  ///< Names, in the drill's order.
     std::vector<Asset> assets;             ///< Meshes that it names.
@@ -48,7 +48,7 @@ struct TickHash {
 /// Seconds of a clock that never goes back. Decides only when a recorder writes, never what.
 using Clock = double (*)();
 
-/// The machine's own [s].
+/// The machine's own clock, which never goes back [s].
 double wall_clock();
 
 /// Writes a recording while a session runs. Whatever was added is in the file after at most 0.5 s of simulated time and
@@ -64,13 +64,13 @@ class Recorder {
     Recorder& operator=(Recorder&&) noexcept;
 
     // Each throws std::runtime_error, which says how much is safe, when the file cannot be written (disk full).
-    /// The inputs of the next tick, one per instrument.
+    /// Adds the inputs of the next tick, one per instrument.
     void add_tick(std::span<const instruments::ToolInput> tools);
-    /// The state's hash after so many ticks; one of the same tick is replaced.
+    /// Adds the state's hash after so many ticks; one of the same tick is replaced.
     void add_hash(std::uint64_t tick, std::uint64_t hash);
-    /// What happened, in order.
+    /// Adds what happened; events are added in order.
     void add_event(const world::Event& event);
-    /// The score so far; it replaces the one before, and is on disk when this returns.
+    /// Sets the score so far; it replaces the one before, and is on disk when this returns.
     void set_scores(const std::vector<drill::ScoreItem>& items);
     /// Writes the rest and marks the session complete.
     void finish();
