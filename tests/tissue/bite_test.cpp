@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "tests/bench/lab/needle_drive.hpp"
@@ -337,77 +338,103 @@ bool is_in_order(const std::string& events) {
     return end.empty() || end == "t" || end == "w" || end == "td" || end == "tx";
 }
 
-// E17: where the path begins is anywhere on the wall, on edges and vertices too, its way any or along the wall; it goes
-// on, or back, or to and fro. Under the sanitizers, where a path takes eight times as long, the first hundred.
+// What random paths came to.
+struct Tally {
+    int bites = 0, through = 0, withdrawn = 0, drawn = 0, torn = 0, slipped = 0;
+};
+
+// A needle at a place that is anywhere on the wall, on edges and vertices too, in any direction or along the wall.
+// Nothing where it starts in the wall or at its far end.
+struct RandomPath {
+    Swing needle;
+    double begin, far, quick;
+};
+std::optional<RandomPath> random_path(const Stitching& scene, bench::lab::Random& random, std::uint64_t seed) {
+    const int face = random.below(static_cast<int>(scene.mesh.faces.size()));
+    Vec3 weights(random.between(0, 1), random.between(0, 1), random.between(0, 1));
+    weights /= weights.sum();
+    if (seed % 5 == 1) weights = Vec3::UnitX();
+    if (seed % 5 == 2) weights = Vec3(0.5, 0.5, 0);
+    const Vec3 at = scene.skin.at_face(face, weights), up = scene.skin.normal_of_face(face);
+    Vec3 way = Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)).normalized();
+    if (way.dot(up) > 0) way = -way;
+    if (seed % 5 == 3) way = (way - way.dot(up) * up).normalized();
+    const Vec3 bend = way.cross(Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))).normalized();
+    const Swing needle{at, way, bend, random.between(1.6e-3, 5.4e-3), random.between(1.5, 3.1)};
+    const double begin = -0.4e-3, length = needle.radius * needle.angle,
+                 far = random.between(0.2e-3, std::min(4e-3, 0.8 * length));
+    if (scene.mesh.faces[static_cast<std::size_t>(face)].side == Side::far_end || at.x() > 4e-3 ||
+        scene.is_in_wall(needle.at(begin / needle.radius)))
+        return std::nullopt;
+    return RandomPath{needle, begin, far, random.between(10e-3, 40e-3)};
+}
+
+// Goes in; by `kind` 0 to 3 then on, back, to and fro and back, or stays.
+Log follow(Stitching& scene, const RandomPath& path, int kind) {
+    const auto& [needle, begin, far, quick] = path;
+    Log log;
+    swing(scene, needle, begin, far, log, quick);
+    if (kind == 0) swing(scene, needle, far, needle.radius * needle.angle + 4e-3, log, 40e-3);
+    if (kind == 1) swing(scene, needle, far, begin - 1e-3, log, quick);
+    if (kind == 2) {
+        for (const auto& [a, b] :
+             {std::pair(far, 0.3 * far), {0.3 * far, 1.2 * far}, {1.2 * far, begin}, {begin, far}, {far, begin - 1e-3}})
+            swing(scene, needle, a, b, log, quick);
+    }
+    return log;
+}
+
+void expect_bites_in_order(const Stitching& scene, const Log& log, Tally& tally) {
+    const auto is_a_hole = [&](int hole) { return hole >= 0 && hole < scene.skin.holes(); };
+    for (const auto& [bite, events] : log) {
+        EXPECT_TRUE(is_in_order(events)) << bite << ": " << events;
+        const Bite& found = scene.bites.bites()[static_cast<std::size_t>(bite)];
+        EXPECT_TRUE(is_a_hole(found.entry.hole)) << bite << ": " << found.entry.hole;
+        // An exit once made stays, also where the needle came back.
+        const bool went_through = events.find('t') != std::string::npos;
+        EXPECT_TRUE(went_through ? is_a_hole(found.exit.hole) && found.exit.hole != found.entry.hole
+                                 : found.exit.hole < 0 && found.state != BiteState::open)
+            << bite << ": " << events << ", " << found.entry.hole << " to " << found.exit.hole;
+        tally.withdrawn += events.back() == 'w', tally.drawn += events.back() == 'd',
+            tally.torn += events.back() == 'x', tally.through += went_through;
+    }
+    tally.bites += static_cast<int>(log.size());
+}
+
+void expect_nothing_on_the_needle(const Stitching& scene) {
+    for (const Bite& bite : scene.bites.bites()) EXPECT_FALSE(bite.on_needle);
+    EXPECT_EQ(scene.bites.holes_on_needle(), 0);
+    EXPECT_FALSE(scene.bites.touches());
+}
+
+// E17: the needle goes on, or back, or to and fro. Under the sanitizers, where a path takes eight times as long, the
+// first hundred.
 TEST(Bites, FollowFiveHundredRandomPaths) {
 #ifdef __SANITIZE_ADDRESS__
     constexpr int most = 100;
 #else
     constexpr int most = 500;
 #endif
-    int bites = 0, through = 0, withdrawn = 0, drawn = 0, torn = 0, slipped = 0, paths = 0;
+    Tally tally;
+    int paths = 0;
     for (std::uint64_t seed = 0; paths < most; ++seed) {
         bench::lab::Random random(seed);
         Stitching scene({.puncture = random.between(0.5e-3, 3e-3)}, {.around = 12, .through = 1, .near = 6, .far = 2});
-        const int face = random.below(static_cast<int>(scene.mesh.faces.size()));
-        Vec3 weights(random.between(0, 1), random.between(0, 1), random.between(0, 1));
-        weights /= weights.sum();
-        if (seed % 5 == 1) weights = Vec3::UnitX();
-        if (seed % 5 == 2) weights = Vec3(0.5, 0.5, 0);
-        const Vec3 at = scene.skin.at_face(face, weights), up = scene.skin.normal_of_face(face);
-        Vec3 way = Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)).normalized();
-        if (way.dot(up) > 0) way = -way;
-        if (seed % 5 == 3) way = (way - way.dot(up) * up).normalized();
-        const Vec3 bend =
-            way.cross(Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))).normalized();
-        const Swing needle{at, way, bend, random.between(1.6e-3, 5.4e-3), random.between(1.5, 3.1)};
-        const double begin = -0.4e-3, length = needle.radius * needle.angle,
-                     far = random.between(0.2e-3, std::min(4e-3, 0.8 * length));
-        if (scene.mesh.faces[static_cast<std::size_t>(face)].side == Side::far_end || at.x() > 4e-3 ||
-            scene.is_in_wall(needle.at(begin / needle.radius)))
-            continue;
-        ++paths;
-        SCOPED_TRACE(testing::Message() << "seed " << seed << ", kind " << paths % 4);
-        Log log;
-        const double quick = random.between(10e-3, 40e-3);
-        swing(scene, needle, begin, far, log, quick);
-        if (paths % 4 == 0) swing(scene, needle, far, length + 4e-3, log, 40e-3);
-        if (paths % 4 == 1) swing(scene, needle, far, begin - 1e-3, log, quick);
-        if (paths % 4 == 2) {
-            for (const auto& [a, b] : {std::pair(far, 0.3 * far),
-                                       {0.3 * far, 1.2 * far},
-                                       {1.2 * far, begin},
-                                       {begin, far},
-                                       {far, begin - 1e-3}})
-                swing(scene, needle, a, b, log, quick);
-        }
-        slipped += static_cast<int>(log[-1].size()), log.erase(-1);
-        const auto is_a_hole = [&](int hole) { return hole >= 0 && hole < scene.skin.holes(); };
-        for (const auto& [bite, events] : log) {
-            EXPECT_TRUE(is_in_order(events)) << bite << ": " << events;
-            const Bite& found = scene.bites.bites()[static_cast<std::size_t>(bite)];
-            EXPECT_TRUE(is_a_hole(found.entry.hole)) << bite << ": " << found.entry.hole;
-            // An exit once made stays, also where the needle came back.
-            const bool went_through = events.find('t') != std::string::npos;
-            EXPECT_TRUE(went_through ? is_a_hole(found.exit.hole) && found.exit.hole != found.entry.hole
-                                     : found.exit.hole < 0 && found.state != BiteState::open)
-                << bite << ": " << events << ", " << found.entry.hole << " to " << found.exit.hole;
-            withdrawn += events.back() == 'w', drawn += events.back() == 'd', torn += events.back() == 'x',
-                through += went_through;
-        }
-        bites += static_cast<int>(log.size());
-        if (paths % 4 == 1 || paths % 4 == 2) {  // orphans: nothing is left on a needle that is out
-            for (const Bite& bite : scene.bites.bites()) EXPECT_FALSE(bite.on_needle);
-            EXPECT_EQ(scene.bites.holes_on_needle(), 0);
-            EXPECT_FALSE(scene.bites.touches());
-        }
+        const auto path = random_path(scene, random, seed);
+        if (!path) continue;
+        const int kind = ++paths % 4;
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", kind " << kind);
+        Log log = follow(scene, *path, kind);
+        tally.slipped += static_cast<int>(log[-1].size()), log.erase(-1);
+        expect_bites_in_order(scene, log, tally);
+        if (kind == 1 || kind == 2) expect_nothing_on_the_needle(scene);
         for (int i = 0; i < 100; ++i) scene.go(nullptr);
         EXPECT_LT(off_rest(scene), 20e-6);
         EXPECT_TRUE(scene.bites.forces().empty());
     }
-    EXPECT_GT(bites, 3 * most / 5);
+    EXPECT_GT(tally.bites, 3 * most / 5);
     std::printf("%d paths: %d bites, %d of them through, %d withdrawn, %d drawn, %d torn; %d times the tip slipped\n",
-                paths, bites, through, withdrawn, drawn, torn, slipped);
+                paths, tally.bites, tally.through, tally.withdrawn, tally.drawn, tally.torn, tally.slipped);
 }
 
 }  // namespace

@@ -46,8 +46,7 @@ std::string held(std::string text) {
     return text.replace(text.find("\"tube\""), 6, "\"held_by\": \"left\", \"tube\"");
 }
 
-std::vector<Broken> broken() {
-    const std::string good = moving("m.csv");
+std::vector<Broken> broken_drills() {
     return {
         {"empty", ""},
         {"blank", "\n \n"},
@@ -83,7 +82,7 @@ std::vector<Broken> broken() {
         {"held by nobody", with("\"name\": \"carotid\"", "\"name\": \"carotid\", \"held_by\": \"clamp\"")},
         {"held by forceps", with("\"name\": \"carotid\"", "\"name\": \"carotid\", \"held_by\": \"left\"")},
         {"an approximator that holds nothing", with("\"forceps\"", "\"approximator\"")},
-        {"a rigid vessel that is held", held(good)},
+        {"a rigid vessel that is held", held(moving("m.csv"))},
         {"both ends held", held(with("{\"gravity\": false}", "{\"tissue\": \"elastic\"}"))},
         {"missing mesh", with("\"tube\": {\"diameter_mm\": 4, \"wall_mm\": 0.6, \"length_mm\": 30}",
                               "\"mesh\": {\"file\": \"none.obj\", \"sha256\": \"" + std::string(64, '0') + "\"}")},
@@ -92,6 +91,12 @@ std::vector<Broken> broken() {
         {"missing motion", moving("none.csv")},
         {"motion is a directory", moving(".")},
         {"motion is the drill", moving("drill.json")},
+    };
+}
+
+std::vector<Broken> broken_motions() {
+    const std::string good = moving("m.csv");
+    return {
         {"empty motion", good, "\n"},
         {"motion without rows", good, header},
         {"truncated motion", good, header + good_rows + "1,left,0,0,"},
@@ -106,6 +111,12 @@ std::vector<Broken> broken() {
         {"motion with open jaws", good, header + "0,left,0,0,0,1,0,0,0,90\n"},
         {"motion separated by semicolons", good, "t_s;instrument;x_mm;y_mm;z_mm;qw;qx;qy;qz;jaw\n"},
     };
+}
+
+std::vector<Broken> broken() {
+    std::vector<Broken> all = broken_drills();
+    for (Broken& one : broken_motions()) all.push_back(std::move(one));
+    return all;
 }
 
 class Folder {

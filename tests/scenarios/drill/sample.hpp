@@ -46,9 +46,9 @@ inline std::string sewn(const std::string& bands) {
     const auto replace = [&](const std::string& from, const std::string& to) {
         text.replace(text.find(from), from.size(), to);
     };
-    replace(
-        R"("length_mm": 30}})",
-        R"("length_mm": 30}, "held": ["start"]}, {"name": "graft", "held": ["end"], "centre_mm": [0, 6, 0], "tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 30}})");
+    replace(R"("length_mm": 30}})", R"("length_mm": 30}, "held": ["start"]}, )"
+                                    R"({"name": "graft", "held": ["end"], "centre_mm": [0, 6, 0], )"
+                                    R"("tube": {"diameter_mm": 4, "wall_mm": 0.6, "length_mm": 30}})");
     replace("{\"gravity\": false}", "{\"tissue\": \"elastic\"}");
     replace("\"bands\": {", "\"bands\": {" + bands + ", ");
     return text;

@@ -49,10 +49,12 @@ const char* const motion =
     "0.1,tool,-10,4,1.2,0.707106781,-0.707106781,0,0,0\n";
 
 std::string drill(const std::string& sha, const std::string& wall) {
-    return R"({"carrel_drill": 1, "title": "A mesh that gives way", "thread": {"length_mm": 6, "links": 12, "start_mm": [[0, -20, 30], [6, -20, 30]]},
+    return R"({"carrel_drill": 1, "title": "A mesh that gives way",
+ "thread": {"length_mm": 6, "links": 12, "start_mm": [[0, -20, 30], [6, -20, 30]]},
  "vessels": [{"name": "ring", "mesh": {"file": "vessel.obj", "sha256": ")" +
            sha + "\"" + wall + R"(}}],
- "instruments": [{"name": "tool", "kind": "forceps"}], "effects": {"tissue": "elastic", "bending": false}, "motion": "motion.csv", "time_limit_s": 5})";
+ "instruments": [{"name": "tool", "kind": "forceps"}], "effects": {"tissue": "elastic", "bending": false},
+ "motion": "motion.csv", "time_limit_s": 5})";
 }
 
 // What `carrel validate` and `carrel run` say of it: "runs", or their one line after the file's name.
