@@ -7,6 +7,7 @@
 #include "tissue/bite.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -42,6 +43,7 @@ Bites::Bites(const BiteDef& def, const Mesh& rest)
       rest_(rest),
       outer_(rims(rest, Side::outer)),
       inner_(rims(rest, Side::inner)) {
+    assert(def.puncture >= 0 && def.stiffness > 0 && def.tip_stiffness > 0 && def.hole > 0 && def.wall > 0);
     for (std::size_t f = 0; f < rest.faces.size(); ++f)
         if (rest.faces[f].side == Side::cut) cut_.push_back(static_cast<int>(f));
     constexpr std::size_t room = 64;
@@ -50,6 +52,7 @@ Bites::Bites(const BiteDef& def, const Mesh& rest)
 }
 
 void Bites::press(const Arc* needle, const Skin& skin) {
+    assert((!needle || (needle->radius > 0 && needle->wire > 0 && needle->angle > 0)) && "a needle, or none");
     forces_.clear(), events_.clear();
     if (!needle) return let_go();
     if (has_needle_ && (needle->tip() - needle_.tip()).norm() > 0.25 * needle->length()) let_go();

@@ -1,5 +1,6 @@
 // Holes that tear out.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/geometry/closest_points.hpp"
@@ -29,6 +30,7 @@ double Bites::bears(const Bite& bite) const {
 }
 
 bool Bites::pull(int number, double force, Skin& skin) {
+    assert(number >= 0 && static_cast<std::size_t>(number) < bites_.size() && "a bite of this wall");
     const Bite& bite = bites_[static_cast<std::size_t>(number)];
     if (bite.torn || bite.state != BiteState::open || force <= bears(bite)) return bite.torn;
     tear(number, force);

@@ -7,6 +7,7 @@
 #include "tissue/contact.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/geometry/closest_points.hpp"
@@ -14,6 +15,7 @@
 namespace tissue {
 
 void CapsuleContact::find(const Skin& skin, const Capsule& capsule, const Capsule& before) {
+    assert(capsule.radius > 0 && "a capsule that is not empty");
     near_.clear(), places_.clear();
     const Vec3 gone_a = capsule.a - before.a, gone_b = capsule.b - before.b;
     Box around;

@@ -3,6 +3,7 @@
 #include "tissue/join.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -113,6 +114,7 @@ Around around(const SewnEnd& end) {
 
 Join judge(const SewnVessel& first, const SewnVessel& second, std::span<const std::vector<Vec3>> threads,
            double diameter, const Fluid& fluid) {
+    assert(diameter > 0 && fluid.density > 0 && fluid.viscosity > 0 && fluid.pressure >= 0);
     const std::array<SewnEnd, 2> ends{end_of(first, second), end_of(second, first)};
     Join join;
     join.diameter = diameter, join.wall = wall_of(first.rest), join.rim = ends[0].outer.length;

@@ -2,6 +2,7 @@
 // gradient's mean over a cell, which bends more easily. Found once; a step only multiplies.
 #include "tissue/laplacian.hpp"
 
+#include <cassert>
 #include <map>
 
 #include "tissue/cells.hpp"
@@ -58,6 +59,7 @@ Laplacian::Laplacian(const Mesh& mesh) {
 }
 
 void Laplacian::multiply(std::span<const Vec3> x, std::vector<Vec3>& to) const {
+    assert(x.size() + 1 == first_.size() && "one entry for each node");
     to.resize(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
         Vec3 sum = Vec3::Zero();

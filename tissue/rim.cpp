@@ -2,6 +2,7 @@
 #include "tissue/rim.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
@@ -62,6 +63,7 @@ std::vector<Rim> rims(const Mesh& rest, Side side) {
 }
 
 RimPoint nearest(const Rim& rim, const Mesh& rest, const Vec3& point) {
+    assert(!rim.nodes.empty() && "a rim of something");
     double place = 0, least = -1;
     for (std::size_t k = 0; k < rim.nodes.size(); ++k) {
         const Edge e = edge(rim, k, rest.nodes);
@@ -73,6 +75,7 @@ RimPoint nearest(const Rim& rim, const Mesh& rest, const Vec3& point) {
 }
 
 Vec3 position(const Rim& rim, double place, std::span<const Vec3> nodes) {
+    assert(rim.length > 0 && std::isfinite(place));
     place -= rim.length * std::floor(place / rim.length);
     const std::size_t k =
         static_cast<std::size_t>(std::upper_bound(rim.places.begin(), rim.places.end(), place) - rim.places.begin()) -

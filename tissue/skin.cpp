@@ -4,6 +4,7 @@
 #include "tissue/skin.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -106,6 +107,7 @@ void Skin::set_box(std::size_t i) {
 }
 
 void Skin::update(std::span<const Vec3> nodes) {
+    assert((nodes_.empty() || nodes.size() == nodes_.size()) && "a place for each node");
     nodes_.assign(nodes.begin(), nodes.end());
     for (Hole& hole : holes_) place(hole);
     for (const Wire& wire : wires_) put_on(wire);

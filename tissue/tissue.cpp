@@ -42,6 +42,10 @@ Tissue::Tissue(const Material& material, Mesh mesh, const Solver& solver)
       mass_(rest_.nodes.size()),
       x_(rest_.nodes),
       matrix_(static_cast<int>(x_.size()), couplings(cells_)) {
+    assert(!rest_.tetrahedra.empty() && "a wall of something");
+    assert(material_.young > 0 && material_.bulk_over_shear >= 10 && material_.density >= 0 &&
+           material_.relaxation >= 0 && material_.slowing > 0);
+    assert(solver_.iterations >= 1 && solver_.steps_per_factor >= 0 && solver_.tolerance >= 0);
     for (const Tetrahedron& tet : rest_.tetrahedra)
         for (const int i : tet)
             mass_[static_cast<std::size_t>(i)] += 0.25 * material_.density * volume(tet, rest_.nodes);

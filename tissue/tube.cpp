@@ -1,6 +1,7 @@
 #include "tissue/tube.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -89,6 +90,7 @@ std::optional<std::string> problem_with(const TubeDef& def) {
 }
 
 Mesh make_tube(const TubeDef& def) {
+    assert(def.wall > 0 && def.around >= 3 && def.through >= 1 && def.near >= 1 && def.far >= 0);
     Mesh mesh;
     const std::vector<double> section = sections(def);
     const int along = def.near + def.far, layers = def.through + 1;
@@ -118,6 +120,7 @@ Mesh make_tube(const TubeDef& def) {
 }
 
 Mesh make_box(std::array<int, 3> counts, double edge) {
+    assert(counts[0] > 0 && counts[1] > 0 && counts[2] > 0 && edge > 0);
     Mesh mesh;
     for (int i = 0; i <= counts[0]; ++i)
         for (int j = 0; j <= counts[1]; ++j)

@@ -1,12 +1,14 @@
 #include "sim/geometry/portable_math.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace sim::geometry {
 
 SinCos portable_sin_cos(double angle) {
+    assert(std::isfinite(angle));
     // Halve until the Taylor series is short, then double back: sin 2x = 2 sin x cos x, cos 2x - 1 = -2 sin^2 x.
     int halvings = 0;
     while (angle > 0.25 || angle < -0.25) angle *= 0.5, ++halvings;
@@ -22,6 +24,7 @@ SinCos portable_sin_cos(double angle) {
 }
 
 double portable_atan2(double y, double x) {
+    assert((x != 0 || y != 0) && "the origin is in no direction");
     // Halve until the series is short.
     constexpr int halvings = 4;
     const double size = std::max(std::abs(x), std::abs(y));
@@ -66,6 +69,7 @@ Quat portable_slerp(const Quat& from, const Quat& to, double t) {
 }
 
 Quat rotation_between(const Vec3& from, const Vec3& to) {
+    assert(!from.isZero(0) && !to.isZero(0) && "two directions");
     const Vec3 a = from.normalized(), sum = a + to.normalized();
     const Vec3 half = sum.isZero(0) ? a.unitOrthogonal() : sum.normalized();  // twice the way to it is the way to `to`
     const Vec3 axis = a.cross(half);

@@ -1,8 +1,11 @@
 #include "sim/geometry/resample.hpp"
 
+#include <cassert>
+
 namespace sim::geometry {
 
 std::vector<Vec3> resample(std::span<const Vec3> path, int links) {
+    assert(path.size() >= 2 && links >= 1 && "a path, and links to lay along it");
     double total = 0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) total += (path[i + 1] - path[i]).norm();
     std::vector<Vec3> nodes{path.front()};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <numeric>
 
 #include "sim/geometry/closest_points.hpp"
@@ -51,6 +52,7 @@ TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::mo
 }
 
 void TriangleTree::move(std::span<const Triangle> triangles) {
+    assert(triangles.size() == triangles_.size() && "one new place for each triangle");
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
         if (t.a == triangles_[i].a && t.b == triangles_[i].b && t.c == triangles_[i].c) continue;
@@ -91,6 +93,7 @@ void TriangleTree::near(const Box& box, std::vector<int>& found) const {
 }
 
 int first_nearer(std::span<const Vec3> path, const TriangleTree& triangles, double distance) {
+    assert(distance >= 0);
     std::vector<int> near;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         Box box;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/knot/arc.hpp"
@@ -44,6 +45,7 @@ constexpr double outside = 2.0;  // everything lies within sqrt(3)/2 of the orig
 }  // namespace
 
 std::vector<Ways> ways_out(const Strands& strands, const std::vector<bool>& closed) {
+    assert(closed.size() == strands.size() && "a mark for each component");
     std::vector<Ways> ways(strands.size());
     for (std::size_t s = 0; s < strands.size(); ++s)
         if (!closed[s]) ways[s] = {way_out(strands, s, true), way_out(strands, s, false)};

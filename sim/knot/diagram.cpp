@@ -1,6 +1,7 @@
 #include "sim/knot/diagram.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include "sim/knot/reroute.hpp"
@@ -19,6 +20,7 @@ Places places(const Diagram& diagram) {
 }
 
 Diagram without(const Diagram& diagram, const std::vector<char>& gone) {
+    assert(gone.size() == diagram.sign.size() && "a mark for each crossing");
     Diagram result;
     std::vector<int> number(diagram.sign.size(), -1);
     for (std::size_t c = 0; c < gone.size(); ++c)
@@ -200,6 +202,7 @@ int linking_number(const Diagram& diagram, int i, int j) {
 }
 
 Diagram reversed(Diagram diagram, int i) {
+    assert(i >= 0 && static_cast<std::size_t>(i) < diagram.strands.size() && "a strand of the diagram");
     const Places at = places(diagram);
     for (std::size_t c = 0; c < diagram.sign.size(); ++c)
         if ((at.over[c].strand == i) != (at.under[c].strand == i)) diagram.sign[c] = -diagram.sign[c];
@@ -209,6 +212,7 @@ Diagram reversed(Diagram diagram, int i) {
 }
 
 Diagram only(const Diagram& diagram, int i) {
+    assert(i >= 0 && static_cast<std::size_t>(i) < diagram.strands.size() && "a strand of the diagram");
     const Places at = places(diagram);
     std::vector<char> gone(diagram.sign.size(), 0);
     for (std::size_t c = 0; c < gone.size(); ++c) gone[c] = at.over[c].strand != i || at.under[c].strand != i;

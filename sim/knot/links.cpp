@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <span>
 
@@ -170,6 +171,8 @@ Hitched first_hitch(const Component& rope, std::span<const Component> objects) {
 }  // namespace
 
 LinkName name_link(const std::vector<Component>& components) {
+    assert(!components.empty());
+    for ([[maybe_unused]] const Component& c : components) assert(c.vertices.size() >= 2 && "a curve of two vertices");
     if (components.size() == 1) {
         const Name name = name_knot(components.front().vertices, components.front().closed);
         return {name, {name.knot}, {}};

@@ -1,6 +1,7 @@
 #include "sim/knot/namer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "sim/knot/identify.hpp"
@@ -52,6 +53,8 @@ Name voted(const Polygons& strands, const std::vector<bool>& closed, const std::
 }  // namespace
 
 Name name_knot(const std::vector<Vec3>& curve, bool closed) {
+    assert(curve.size() >= 2 && "a curve of at least two vertices");
+    assert(std::all_of(curve.begin(), curve.end(), [](const Vec3& v) { return v.allFinite(); }));
     const Polygons strands = in_general_position({{curve, closed}});
     const std::vector<Ways> ways = ways_out(strands, {closed});
     const bool free = all_free(ways, {closed});

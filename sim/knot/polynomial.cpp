@@ -1,6 +1,7 @@
 #include "sim/knot/polynomial.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace sim::knot {
 
@@ -42,6 +43,7 @@ Polynomial mirrored(const Polynomial& p) {
 }
 
 Polynomial unlink(int n) {
+    assert(n >= 1 && "a circle at least");
     Polynomial result{{0, 0, 1}};
     for (int i = 1; i < n; ++i) result = product(result, {{-1, -1, 1}, {1, -1, -1}});
     return result;

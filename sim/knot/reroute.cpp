@@ -1,6 +1,7 @@
 #include "sim/knot/reroute.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "sim/geometry/at.hpp"
 #include "sim/knot/faces.hpp"
@@ -225,6 +226,8 @@ std::vector<Diagram> laid_elsewhere(const Diagram& diagram) {
 }
 
 Diagram joined_ends(const Diagram& open, int first, int count, bool over) {
+    assert(open.strands.size() == 1 && first >= 0 && count >= 0 && at(first + count) <= open.strands.front().size() &&
+           "a stretch of one strand");
     const auto& word = open.strands.front();
     std::vector<int> met(open.sign.size(), 0);
     for (int k = 0; k < count; ++k) ++met[at(word[at(first + k)].crossing)];

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 
 #include "sim/geometry/lane.hpp"
 #include "sim/rod/chain_matrix.hpp"
@@ -81,6 +82,8 @@ std::size_t ChainMatrix::first_in_piece(std::span<const int> nodes) const {
 // Above the band Z is what its next eight rows make of it: the three columns of each node, from there up to the first
 // node of its piece; pieces know nothing of each other. Columns go up together, as each row waits for the one below it.
 void ChainMatrix::inverse_at(std::span<const int> nodes, double* to) {
+    assert((nodes.empty() || (nodes.front() >= 0 && static_cast<std::size_t>(nodes.back()) < nodes_)) &&
+           std::is_sorted(nodes.begin(), nodes.end()) && "nodes of the chain, increasing");
     const std::size_t count = nodes.size(), size = 3 * count;
     Window window;
     const auto node_at = [&](std::size_t place) { return static_cast<std::size_t>(nodes[place]); };

@@ -1,6 +1,7 @@
 #include "sim/rod/chain_matrix.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace sim::rod {
 
@@ -18,6 +19,7 @@ void ChainMatrix::clear(std::size_t nodes) {
 }
 
 void ChainMatrix::add(std::size_t i, std::size_t j, const Block& block) {
+    assert(i <= j && j <= i + 2 && j < nodes_ && "a block of the band's upper half");
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t r = j == i ? c : 0; r < 3; ++r)
             band_[(3 * i + c) * stride + 3 * (j - i) + r - c] +=
@@ -25,6 +27,7 @@ void ChainMatrix::add(std::size_t i, std::size_t j, const Block& block) {
 }
 
 void ChainMatrix::lead(std::size_t i, const Vec3& x, std::vector<Vec3>& right) const {
+    assert(i < nodes_ && right.size() == nodes_);
     for (std::size_t j = i < 2 ? 0 : i - 2; j < std::min(nodes_, i + 3); ++j) {
         if (j == i) continue;
         const std::size_t first = std::min(i, j), by = 3 * (std::max(i, j) - first);
@@ -38,6 +41,7 @@ void ChainMatrix::lead(std::size_t i, const Vec3& x, std::vector<Vec3>& right) c
 }
 
 void ChainMatrix::fix(std::size_t i) {
+    assert(i < nodes_);
     for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
         std::fill_n(column(c), width, 0.0);
         column(c)[0] = 1;
@@ -103,6 +107,7 @@ void ChainMatrix::solve_backward(std::vector<Vec3>& x) const {
 }
 
 void ChainMatrix::solve(std::vector<Vec3>& x) const {
+    assert(x.size() == nodes_ && "one entry for each node");
     solve_forward(x);
     solve_backward(x);
 }

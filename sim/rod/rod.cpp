@@ -1,6 +1,7 @@
 #include "sim/rod/rod.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -36,6 +37,8 @@ double RodDef::mass_per_length() const {
 }
 
 Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
+    assert(nodes.size() >= 2 && "a rod of at least one link");
+    assert(def.radius > 0 && def.young > 0 && def.bending_share > 0 && def.density >= 0 && def.friction >= 0);
     now_.nodes = std::move(nodes);
     now_.velocity.assign(now_.nodes.size(), Vec3::Zero());
     now_.tension.assign(now_.nodes.size() - 1, 0);
@@ -269,6 +272,11 @@ RodReport Rod::try_step(const RodInput& input, double seconds, int most) {
 }
 
 void Rod::begin(const RodInput& input, double seconds) {
+    assert(seconds >= 0);
+    assert((input.loads.empty() || input.loads.size() == now_.nodes.size()) && "a load for each node, or none");
+    assert((input.asleep.empty() || input.asleep.size() == now_.nodes.size()) && "a mark for each node, or none");
+    for ([[maybe_unused]] const Hold& hold : input.holds)
+        assert(hold.node >= 0 && static_cast<std::size_t>(hold.node) < now_.nodes.size() && "a node of the rod");
     start_ = aim_ = now_.nodes;
     seconds_ = seconds;
     // Drag of the step's end is one more square about where the node was: the two together are one about a place
@@ -339,6 +347,7 @@ void Rod::find_free_step(std::span<const Hold> targets, std::span<const Pair> pa
 }
 
 void Rod::add_forces(const std::vector<Vec3>& forces) {
+    assert(forces.size() == now_.nodes.size() && "a force for each node");
     spread_ = forces;
     for (std::size_t i = 0; i < spread_.size(); ++i)
         if (held_[i]) spread_[i].setZero();
@@ -347,6 +356,7 @@ void Rod::add_forces(const std::vector<Vec3>& forces) {
 }
 
 double Rod::share_within(double most) {
+    assert(most >= 0);
     foresee_tensions();
     double share = 1;
     for (std::size_t k = 0; k < rest_.size(); ++k) {
@@ -369,6 +379,8 @@ bool Rod::pulls_within(const std::vector<Vec3>& x) const {
 }
 
 double Rod::go_by(double share, std::span<const Vec3> from, std::span<const double> bound) {
+    assert(from.size() == now_.nodes.size() && bound.size() == now_.nodes.size() &&
+           "a place and a bound for each node");
     const double largest = largest_turn();
     if (!std::isfinite(largest)) return 0;
     foresee_tensions();

@@ -1,9 +1,12 @@
+#include <cassert>
+
 #include "sim/rod/rod.hpp"
 
 // Links that come and go between steps; nothing moves.
 namespace sim::rod {
 
 void Rod::split(std::size_t link, double share) {
+    assert(link < rest_.size() && share > 0 && share < 1 && "a place inside a link");
     const auto place = static_cast<std::ptrdiff_t>(link);
     for (auto* of_nodes : {&now_.nodes, &now_.velocity}) {
         const Vec3 between = (1 - share) * (*of_nodes)[link] + share * (*of_nodes)[link + 1];
@@ -16,6 +19,7 @@ void Rod::split(std::size_t link, double share) {
 }
 
 void Rod::leave_out(std::size_t first, std::size_t second) {
+    assert(first < second && second < now_.nodes.size() && "two nodes of the rod, in order");
     const auto from = static_cast<std::ptrdiff_t>(first) + 1, to = static_cast<std::ptrdiff_t>(second);
     for (auto* of_nodes : {&now_.nodes, &now_.velocity})
         of_nodes->erase(of_nodes->begin() + from, of_nodes->begin() + to);
@@ -34,6 +38,7 @@ void Rod::hand_on_natural_bend(std::size_t node) {
 }
 
 void Rod::join_at(std::size_t node) {
+    assert(node > 0 && node < rest_.size() && "a node between two links");
     if (def_.yield_strain > 0) hand_on_natural_bend(node);
     rest_[node - 1] += rest_[node];
     for (auto* of_nodes : {&now_.nodes, &now_.velocity})

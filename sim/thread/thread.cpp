@@ -1,6 +1,7 @@
 #include "sim/thread/thread.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -36,13 +37,18 @@ Thread& Thread::operator=(Thread&& other) noexcept {
 }
 
 TickReport Thread::tick(const TickInput& input) {
+    assert(impl_ && "not a thread that was moved from");
     return thread::tick(impl_->mover, input);
 }
 
 bool Thread::fit_links(std::span<int> held) {
+    for ([[maybe_unused]] const int node : held)
+        assert(node < static_cast<int>(nodes().size()) && "a node of the thread, or -1");
     return impl_->fitter.fit(impl_->mover, held);
 }
 bool Thread::cut(int link, double share, std::span<int> held) {
+    assert(link >= 0 && static_cast<std::size_t>(link) < rest_lengths().size() && "a link of the thread");
+    assert(share >= 0 && share <= 1);
     return thread::cut(impl_->mover, static_cast<std::size_t>(link), share, held);
 }
 int Thread::most_loaded() const {
@@ -77,6 +83,8 @@ std::span<const SurfaceForce> Thread::surface_forces() const {
 
 void Thread::surface_room(std::span<double> rooms, std::vector<SurfaceGap>& gaps) const {
     const contact::State& state = impl_->state();
+    assert((!state.input.surface || rooms.size() >= static_cast<std::size_t>(state.input.surface->size())) &&
+           "room for each triangle");
     std::fill(rooms.begin(), rooms.end(), std::max(0.0, state.reach - 2 * state.moved));
     gaps.clear();
     for (const contact::Contact& c : state.contacts) {
@@ -99,6 +107,8 @@ void Thread::surface_room(std::span<double> rooms, std::vector<SurfaceGap>& gaps
 }
 
 double Thread::progress(int owner) const {
+    assert(owner >= -1 && static_cast<std::size_t>(owner + 1) < impl_->state().progress.size() &&
+           "a tool of the last tick, or -1");
     return impl_->state().progress[static_cast<std::size_t>(owner + 1)];
 }
 
@@ -110,6 +120,7 @@ std::uint64_t Thread::hash_of_all_carried() const {
 }
 
 bool Strength::gives_way(double pull, double tick_s, bool is_elastic) {
+    assert(tick_s > 0);
     const double stands_s = is_elastic ? 0 : 0.1;
     const bool gave_way = pulled_s > stands_s;
     pulled_s = pull > force ? pulled_s + tick_s : 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 
 #include "sim/thread/contact/tools.hpp"
 #include "sim/thread/mover.hpp"
@@ -23,7 +24,19 @@ std::size_t groups_of(const TickInput& input) {
     return static_cast<std::size_t>(most + 2);
 }
 
+// What whoever makes a tick must keep.
+void expect_kept([[maybe_unused]] const contact::State& state, const TickInput& input) {
+    assert(input.hold_owners.size() == input.holds.size() && "an owner for each hold");
+    assert((input.loads.empty() || input.loads.size() == state.nodes.size()) && "a load for each node, or none");
+    assert((!state.def.elastic || input.seconds > 0) && input.surface_moved >= 0 && input.soft_give >= 0);
+    for ([[maybe_unused]] const Hold& hold : input.holds)
+        assert(hold.node >= 0 && hold.node <= state.links() && "a node of the thread");
+    for ([[maybe_unused]] const int owner : input.hold_owners) assert(owner >= -1);
+    for ([[maybe_unused]] const MovingCapsule& c : input.capsules) assert(c.owner >= -1 && c.from.radius > 0);
+}
+
 void begin(contact::State& state, const TickInput& input) {
+    expect_kept(state, input);
     state.input = input;
     state.progress.assign(groups_of(input), 0);
     std::fill(state.inverse_mass.begin(), state.inverse_mass.end(), 1.0);

@@ -8,10 +8,15 @@
 namespace sim::thread::contact {
 
 static std::vector<double> lengths_of(const std::vector<Vec3>& nodes, std::span<const int> cuts) {
-    assert(nodes.size() >= 2);
+    assert(nodes.size() >= 2 && "a thread of at least one link");
     std::vector<double> lengths;
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) lengths.push_back((nodes[i + 1] - nodes[i]).norm());
-    for (const int cut : cuts) lengths[static_cast<std::size_t>(cut)] = 0;
+    for ([[maybe_unused]] const double length : lengths)
+        assert(length > 0 && std::isfinite(length) && "links of some length, between finite nodes");
+    for (const int cut : cuts) {
+        assert(cut > 0 && static_cast<std::size_t>(cut) + 1 < lengths.size() && "a cut between two links");
+        lengths[static_cast<std::size_t>(cut)] = 0;
+    }
     return lengths;
 }
 
@@ -29,6 +34,7 @@ State::State(const ThreadDef& thread_def, std::vector<Vec3> start_nodes, std::sp
       rest_length(lengths_of(nodes, cuts)),
       longest_link(1.001 * *std::max_element(rest_length.begin(), rest_length.end())),  // equal ones differ by rounding
       tension(rest_length.size(), 0.0) {
+    assert(def.radius > 0 && def.friction >= 0 && def.friction_tool >= 0 && def.shortest_link >= 0);
     const std::size_t most = most_links();
     for (auto* of_nodes : {&nodes, &before}) of_nodes->reserve(most + 1);
     for (auto* of_links : {&rest_length, &arc, &inverse_mass, &bound, &tension}) of_links->reserve(most + 1);
