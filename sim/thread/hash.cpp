@@ -44,7 +44,7 @@ class Hash {
         add(pace.stuck);
         add(pace.refused);
     }
-    void add(const elastic::SleepingPress& press) { add(press.row), add(press.wall); }
+    void add(const elastic::SleepingContact& contact) { add(contact.row), add(contact.wall); }
     void add(const SurfaceForce& force) {
         add(force.triangle), add(force.link);
         add(force.at), add(force.force), add(force.deeper);

@@ -24,7 +24,7 @@ Mover::Mover(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int>
       audit_(state_.most_links()),
       finder_(state_.most_links()),
       solver_(state_.most_links()) {
-    set_.presses.reserve(2 * state_.most_links());
+    set_.contacts.reserve(2 * state_.most_links());
 }
 
 // How much nearer the step may bring what a contact is of: no point of a link goes farther than one of its ends.
@@ -55,10 +55,10 @@ double Mover::share_within_bounds() const {
     for (const Contact& c : state.contacts)
         if (const double room = c.gap - c.thickness; room >= closing(state) && 2 * largest > room)
             limit(nearing(step, c), room);
-    for (std::size_t c = 0; c < set_.presses.size(); ++c) {
-        const Press& press = set_.presses[c];
-        if (press.push.squaredNorm() > 0 && press.row->against == Against::thread)
-            limit((set_.apart_of(c) - contact::apart_of(state, *press.row)).norm(), most);
+    for (std::size_t c = 0; c < set_.contacts.size(); ++c) {
+        const ContactConstraint& contact = set_.contacts[c];
+        if (contact.push.squaredNorm() > 0 && contact.row->against == Against::thread)
+            limit((set_.apart_of(c) - contact::apart_of(state, *contact.row)).norm(), most);
     }
     for (const Row& row : state.rows)
         if (is_far(state, row)) limit(-way_of(state, row).dot(row.normal), row.distance - row.target);
@@ -78,12 +78,12 @@ void Mover::end_step(TickReport& report) {
     report.pass_throughs += audit_.count_pass_throughs(state);
     ++report.substeps;
     state.pressed.clear();
-    for (const Press& press : set_.presses) {
-        if (press.push.squaredNorm() == 0) continue;
-        Row& row = state.pressed.emplace_back(*press.row);
-        row.normal_push = press.push.dot(row.normal);
-        row.tangent_push = press.push - row.normal_push * row.normal;
-        row.began = press.began;
+    for (const ContactConstraint& contact : set_.contacts) {
+        if (contact.push.squaredNorm() == 0) continue;
+        Row& row = state.pressed.emplace_back(*contact.row);
+        row.normal_push = contact.push.dot(row.normal);
+        row.tangent_push = contact.push - row.normal_push * row.normal;
+        row.began = contact.began;
     }
 }
 
@@ -91,10 +91,10 @@ void Mover::end_step(TickReport& report) {
 void Mover::add_changes() {
     State& state = state_;
     forces_.assign(state.nodes.size(), Vec3::Zero());
-    for (const Press& press : set_.presses)
-        for (int k = 0; k < press.pair.nodes; ++k)
-            forces_[at(press.pair.node[at(k)])] += press.pair.weight[at(k)] * (press.push - press.pair.force);
-    if (!set_.presses.empty()) state.rod.add_forces(forces_);
+    for (const ContactConstraint& contact : set_.contacts)
+        for (int k = 0; k < contact.pair.nodes; ++k)
+            forces_[at(contact.pair.node[at(k)])] += contact.pair.weight[at(k)] * (contact.push - contact.pair.force);
+    if (!set_.contacts.empty()) state.rod.add_forces(forces_);
 }
 
 void Mover::set_progress(double progress) {
@@ -120,7 +120,7 @@ void Mover::answer(double left, double tools, const Motion& motion, TickReport& 
     measure_gaps(state, way);
     contact::aim(state);
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
-    finder_.find(state, set_.presses);
+    finder_.find(state, set_.contacts);
     targets_.assign(state.input.holds.begin(), state.input.holds.end());
     for (Hold& hold : targets_) {
         if (state.asleep[at(hold.node)]) hold.slides = false, hold.target = state.nodes[at(hold.node)];
@@ -177,7 +177,7 @@ void Mover::tick(TickReport& report) {
          ++i) {
         left = step(left.motion, motion, report);
         end_step(report);
-        pressed += static_cast<int>(set_.presses.size());
+        pressed += static_cast<int>(set_.contacts.size());
     }
     rod.end();
     for (int k = 0; k < state.links(); ++k) state.tension[at(k)] = rod.tension(k);
@@ -195,10 +195,10 @@ void Mover::find_surface_forces() {
         state.surface_forces.push_back(force_of(row));
         state.surface_forces.back().deeper = give_of_wall(state, row) * (row.began - row.push());
     }
-    for (const SleepingPress& press : state.sleeping) {
-        if (press.row.against != Against::surface) continue;
-        state.surface_forces.push_back(force_of(press.row));
-        state.surface_forces.back().asleep = press.wall;
+    for (const SleepingContact& contact : state.sleeping) {
+        if (contact.row.against != Against::surface) continue;
+        state.surface_forces.push_back(force_of(contact.row));
+        state.surface_forces.back().asleep = contact.wall;
     }
 }
 

@@ -4,8 +4,8 @@
 #include "sim/thread/contact/audit.hpp"
 #include "sim/thread/contact/detection.hpp"
 #include "sim/thread/elastic/advance.hpp"
-#include "sim/thread/elastic/find_presses.hpp"
-#include "sim/thread/elastic/press_solver.hpp"
+#include "sim/thread/elastic/contact_solver.hpp"
+#include "sim/thread/elastic/find_contacts.hpp"
 
 namespace sim::thread::elastic {
 
@@ -60,9 +60,9 @@ class Mover {
     contact::Detection detection_;
     contact::Audit audit_;
     Advance advance_;
-    PressFinder finder_;
+    ContactFinder finder_;
     IslandSolver solver_;
-    PressSet set_;               // of this step
+    ContactSet set_;             // of this step
     std::vector<Hold> targets_;  // of held nodes in this step
     std::vector<Vec3> forces_;   // per node: what pushes have become since the rod's step was found [N]
     std::vector<int> stirred_;   // links of pieces that wake

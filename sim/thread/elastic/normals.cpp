@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/elastic/press_solver.hpp"
+#include "sim/thread/elastic/contact_solver.hpp"
 
 // What contacts push along their normals is a linear complementarity problem: none pulls, none is too near, and what
 // pushes is just where it would be. Block principal pivoting [Judice and Pires 1994] from the contacts that push now:
@@ -15,47 +15,47 @@ namespace {
 
 using Matrix = Eigen::Map<contact::Table::Matrix>;
 
-double normal_push(const Press& press) {
-    return press.push.dot(press.normal);
+double normal_push(const ContactConstraint& contact) {
+    return contact.push.dot(contact.normal);
 }
 
 // How much nearer contact c is than it would be; negative: farther.
-double lacks(const PressSet& set, std::size_t c) {
-    const Press& press = set.presses[c];
-    const Vec3& n = press.normal;
-    return (press.rest - set.apart_of(c)).dot(n) - press.give * normal_push(press);
+double lacks(const ContactSet& set, std::size_t c) {
+    const ContactConstraint& contact = set.contacts[c];
+    const Vec3& n = contact.normal;
+    return (contact.rest - set.apart_of(c)).dot(n) - contact.give * normal_push(contact);
 }
 
-bool share_piece(const Press& a, const Press& b) {
+bool share_piece(const ContactConstraint& a, const ContactConstraint& b) {
     return &a == &b || std::any_of(a.piece.begin(), a.piece.end(), [&](int piece) {
         return piece >= 0 && (piece == b.piece[0] || piece == b.piece[1]);
     });
 }
 
 // What does not push any more drags nothing either.
-void let_go(PressSet& set, const Responses& responses, std::size_t c) {
-    const Vec3 push = set.presses[c].push;
+void let_go(ContactSet& set, const Responses& responses, std::size_t c) {
+    const Vec3 push = set.contacts[c].push;
     if (push.squaredNorm() > 0) push_more(set, responses, c, -push);
 }
 
-void drag_within_cone(PressSet& set, const Responses& responses) {
-    for (std::size_t c = 0; c < set.presses.size(); ++c) {
-        const Press& press = set.presses[c];
-        const double normal = normal_push(press), most = press.friction * std::max(0.0, normal);
-        const Vec3 drag = press.push - normal * press.normal;
+void drag_within_cone(ContactSet& set, const Responses& responses) {
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) {
+        const ContactConstraint& contact = set.contacts[c];
+        const double normal = normal_push(contact), most = contact.friction * std::max(0.0, normal);
+        const Vec3 drag = contact.push - normal * contact.normal;
         if (const double size = drag.norm(); size > most) push_more(set, responses, c, (most / size - 1) * drag);
     }
 }
 
-void take_back(PressSet& set, const Responses& responses) {
-    for (std::size_t c = 0; c < set.presses.size(); ++c)
-        push_more(set, responses, c, set.presses[c].before - set.presses[c].push);
+void take_back(ContactSet& set, const Responses& responses) {
+    for (std::size_t c = 0; c < set.contacts.size(); ++c)
+        push_more(set, responses, c, set.contacts[c].before - set.contacts[c].push);
 }
 
 }  // namespace
 
 // How contacts that push part for unit pushes across.
-Matrix NormalSolver::responses_across(const PressSet& set, const Responses& responses) {
+Matrix NormalSolver::responses_across(const ContactSet& set, const Responses& responses) {
     const std::vector<int>& pushing = pushing_;
     const auto size = static_cast<Eigen::Index>(pushing.size());
     Matrix across = across_.resized(size, size);
@@ -63,8 +63,8 @@ Matrix NormalSolver::responses_across(const PressSet& set, const Responses& resp
         const auto c = static_cast<std::size_t>(pushing[static_cast<std::size_t>(i)]);
         for (Eigen::Index j = 0; j <= i; ++j) {
             const auto d = static_cast<std::size_t>(pushing[static_cast<std::size_t>(j)]);
-            across(i, j) = share_piece(set.presses[c], set.presses[d])
-                               ? set.presses[c].normal.dot(responses.block(c, d) * set.presses[d].normal)
+            across(i, j) = share_piece(set.contacts[c], set.contacts[d])
+                               ? set.contacts[c].normal.dot(responses.block(c, d) * set.contacts[d].normal)
                                : 0;
         }
     }
@@ -72,13 +72,13 @@ Matrix NormalSolver::responses_across(const PressSet& set, const Responses& resp
 }
 
 // All that push do so as if they could pull as well.
-bool NormalSolver::solve_pushing(PressSet& set, const Responses& responses) {
+bool NormalSolver::solve_pushing(ContactSet& set, const Responses& responses) {
     if (pushing_.empty()) return true;
     constexpr double softer =
         1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
     Matrix across = responses_across(set, responses);
     const double more = softer * across.diagonal().mean();
-    for (Eigen::Index i = 0; i < across.rows(); ++i) across(i, i) += set.presses[at(pushing_[at(i)])].give + more;
+    for (Eigen::Index i = 0; i < across.rows(); ++i) across(i, i) += set.contacts[at(pushing_[at(i)])].give + more;
     const Eigen::LLT<Eigen::Ref<contact::Table::Matrix>> in_place(across);
     if (in_place.info() != Eigen::Success) return false;
     change_.resize(pushing_.size());
@@ -88,21 +88,21 @@ bool NormalSolver::solve_pushing(PressSet& set, const Responses& responses) {
     across.transpose().triangularView<Eigen::Upper>().solveInPlace(change);
     for (std::size_t i = 0; i < pushing_.size(); ++i) {
         const auto c = static_cast<std::size_t>(pushing_[i]);
-        push_more(set, responses, c, change_[i] * set.presses[c].normal);
+        push_more(set, responses, c, change_[i] * set.contacts[c].normal);
     }
     return true;
 }
 
-void NormalSolver::find_wrong(const PressSet& set, double near) {
+void NormalSolver::find_wrong(const ContactSet& set, double near) {
     wrong_.clear();
-    for (std::size_t c = 0; c < set.presses.size(); ++c) {
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) {
         const bool pushes = std::binary_search(pushing_.begin(), pushing_.end(), static_cast<int>(c));
-        if (pushes ? normal_push(set.presses[c]) < 0 : lacks(set, c) > near) wrong_.push_back(static_cast<int>(c));
+        if (pushes ? normal_push(set.contacts[c]) < 0 : lacks(set, c) > near) wrong_.push_back(static_cast<int>(c));
     }
 }
 
 // What is wrong changes sides.
-void NormalSolver::change_wrong(PressSet& set, const Responses& responses) {
+void NormalSolver::change_wrong(ContactSet& set, const Responses& responses) {
     for (const int c : wrong_) {
         const auto known = std::lower_bound(pushing_.begin(), pushing_.end(), c);
         if (known != pushing_.end() && *known == c) {
@@ -115,9 +115,9 @@ void NormalSolver::change_wrong(PressSet& set, const Responses& responses) {
 }
 
 // Until none pulls and none is too near.
-bool NormalSolver::settle_across(PressSet& set, const Responses& responses, double near) {
+bool NormalSolver::settle_across(ContactSet& set, const Responses& responses, double near) {
     constexpr int patience = 3, most = 30;
-    std::size_t least = set.presses.size() + 1;
+    std::size_t least = set.contacts.size() + 1;
     int left = patience;
     for (int turn = 0; turn < most && solve_pushing(set, responses); ++turn) {
         find_wrong(set, near);
@@ -133,17 +133,17 @@ bool NormalSolver::settle_across(PressSet& set, const Responses& responses, doub
     return false;
 }
 
-void NormalSolver::part(PressSet& set, const Responses& responses, double radius) {
+void NormalSolver::part(ContactSet& set, const Responses& responses, double radius) {
     constexpr int rounds = 2;  // of pushes across and drags within what those allow
     const double near = 1e-2 * 2 * radius;
     const auto is_too_near = [&](std::size_t c) { return lacks(set, c) > near; };
     std::size_t right = 0;
-    while (right < set.presses.size() && !is_too_near(right)) ++right;
-    if (right == set.presses.size()) return;
+    while (right < set.contacts.size() && !is_too_near(right)) ++right;
+    if (right == set.contacts.size()) return;
     pushing_.clear();
-    for (Press& press : set.presses) press.before = press.push;
-    for (std::size_t c = 0; c < set.presses.size(); ++c) {
-        if (normal_push(set.presses[c]) > 0) pushing_.push_back(static_cast<int>(c));
+    for (ContactConstraint& contact : set.contacts) contact.before = contact.push;
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) {
+        if (normal_push(set.contacts[c]) > 0) pushing_.push_back(static_cast<int>(c));
     }
     for (int round = 0; round < rounds; ++round) {
         if (!settle_across(set, responses, near)) return take_back(set, responses);

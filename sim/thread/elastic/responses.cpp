@@ -48,16 +48,16 @@ Responses::Block Responses::block(std::size_t c, std::size_t d) const {
     return Block(table_.data() + axes(c) * size_ + axes(d), Eigen::OuterStride<>(size_));
 }
 
-void Responses::find_touching(const std::vector<Press>& presses) {
+void Responses::find_touching(const std::vector<ContactConstraint>& contacts) {
     touching_.clear();
-    for (const Press& press : presses)
-        touching_.insert(touching_.end(), press.pair.node.begin(), press.pair.node.begin() + press.pair.nodes);
+    for (const ContactConstraint& contact : contacts)
+        touching_.insert(touching_.end(), contact.pair.node.begin(), contact.pair.node.begin() + contact.pair.nodes);
     std::sort(touching_.begin(), touching_.end());
     touching_.erase(std::unique(touching_.begin(), touching_.end()), touching_.end());
 }
 
 // Where each contact's nodes begin among those that touch, three axes each, and of which pieces they are.
-void Responses::find_places(const State& state, std::vector<Press>& presses, const Pieces& pieces) {
+void Responses::find_places(const State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces) {
     place_.resize(state.nodes.size());
     first_touching_.assign(pieces.count + 1, 0);
     for (std::size_t k = 0; k < touching_.size(); ++k) {
@@ -66,22 +66,22 @@ void Responses::find_places(const State& state, std::vector<Press>& presses, con
     }
     for (std::size_t piece = 0; piece < pieces.count; ++piece)
         first_touching_[piece + 1] = std::max(first_touching_[piece + 1], first_touching_[piece]);
-    for (Press& press : presses) {
-        const Pair& pair = press.pair;
-        press.place = {};
-        for (int k = 0; k < pair.nodes; ++k) press.place[at(k)] = place_[at(pair.node[at(k)])];
-        press.piece = {-1, -1};
+    for (ContactConstraint& contact : contacts) {
+        const Pair& pair = contact.pair;
+        contact.place = {};
+        for (int k = 0; k < pair.nodes; ++k) contact.place[at(k)] = place_[at(pair.node[at(k)])];
+        contact.piece = {-1, -1};
         if (pair.nodes > 0)
-            press.piece = {pieces.of_node[at(pair.node[0])], pieces.of_node[at(pair.node[at(pair.nodes - 1)])]};
+            contact.piece = {pieces.of_node[at(pair.node[0])], pieces.of_node[at(pair.node[at(pair.nodes - 1)])]};
     }
 }
 
 // The contacts that are of one of two pieces, or of one.
-void Responses::add_answers(const std::vector<Press>& presses, const std::array<int, 2>& pieces) {
+void Responses::add_answers(const std::vector<ContactConstraint>& contacts, const std::array<int, 2>& pieces) {
     const auto is_one = [&](int piece) { return piece >= 0 && (piece == pieces[0] || piece == pieces[1]); };
     const std::size_t first = answering_.size();
-    for (std::size_t c = 0; c < presses.size(); ++c) {
-        if (!is_one(presses[c].piece[0]) && !is_one(presses[c].piece[1])) continue;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (!is_one(contacts[c].piece[0]) && !is_one(contacts[c].piece[1])) continue;
         if (answering_.size() > first && answering_.back().past == c)
             ++answering_.back().past;
         else
@@ -91,28 +91,28 @@ void Responses::add_answers(const std::vector<Press>& presses, const std::array<
 }
 
 // None to a contact that nothing moves, those of each piece, then of each contact between two.
-void Responses::find_answers(std::vector<Press>& presses, const Pieces& all) {
+void Responses::find_answers(std::vector<ContactConstraint>& contacts, const Pieces& all) {
     first_answer_.assign(2, 0), answering_.clear();
-    for (std::size_t piece = 0; piece < all.count; ++piece) add_answers(presses, {static_cast<int>(piece), -1});
-    for (Press& press : presses) {
-        press.answers = static_cast<std::size_t>(press.piece[0] + 1);
-        if (press.piece[0] == press.piece[1]) continue;
-        press.answers = first_answer_.size() - 1;
-        add_answers(presses, press.piece);
+    for (std::size_t piece = 0; piece < all.count; ++piece) add_answers(contacts, {static_cast<int>(piece), -1});
+    for (ContactConstraint& contact : contacts) {
+        contact.answers = static_cast<std::size_t>(contact.piece[0] + 1);
+        if (contact.piece[0] == contact.piece[1]) continue;
+        contact.answers = first_answer_.size() - 1;
+        add_answers(contacts, contact.piece);
     }
 }
 
-std::span<const Run> Responses::answers_to(const Press& press) const {
-    const std::size_t list = press.answers;
+std::span<const Run> Responses::answers_to(const ContactConstraint& contact) const {
+    const std::size_t list = contact.answers;
     return std::span(answering_).subspan(first_answer_[list], first_answer_[list + 1] - first_answer_[list]);
 }
 
 // It is symmetric: what is beyond the diagonal was found.
-void Responses::mirror(const std::vector<Press>& presses) {
+void Responses::mirror(const std::vector<ContactConstraint>& contacts) {
     auto matrix = table_.resized(size_, size_);
-    for (std::size_t d = 0; d < presses.size(); ++d) {
+    for (std::size_t d = 0; d < contacts.size(); ++d) {
         matrix.block<3, 3>(axes(d), axes(d)).transposeInPlace();
-        for (const Run& run : answers_to(presses[d]))
+        for (const Run& run : answers_to(contacts[d]))
             for (std::size_t c = std::max(run.first, d + 1); c < run.past; ++c)
                 matrix.block<3, 3>(axes(c), axes(d)) = matrix.block<3, 3>(axes(d), axes(c)).transpose();
     }
@@ -136,21 +136,21 @@ void Responses::find_inverses(State& state, const Pieces& pieces) {
 
 // What of a contact acts on a piece: its nodes in the columns of that one's inverse, for an axis. Others have no weight
 // there.
-static Weighing on_piece(const Press& press, Eigen::Index first, Eigen::Index rows, Eigen::Index axis) {
+static Weighing on_piece(const ContactConstraint& contact, Eigen::Index first, Eigen::Index rows, Eigen::Index axis) {
     Weighing weighing{};
     for (std::size_t k = 0; k < 4; ++k) {
-        const Eigen::Index own = press.place[k] - first;
-        const bool is_of_it = press.pair.weight[k] != 0 && own >= 0 && own < rows;
-        weighing.weight[k] = is_of_it ? press.pair.weight[k] : 0;
+        const Eigen::Index own = contact.place[k] - first;
+        const bool is_of_it = contact.pair.weight[k] != 0 && own >= 0 && own < rows;
+        weighing.weight[k] = is_of_it ? contact.pair.weight[k] : 0;
         weighing.place[k] = is_of_it ? (own + axis) * rows : 0;
     }
     return weighing;
 }
 
 // How the nodes that touch, of a contact's pieces, move for a unit push of it along an axis.
-void Responses::find_moves(const Press& press, Eigen::Index axis) {
+void Responses::find_moves(const ContactConstraint& contact, Eigen::Index axis) {
     const auto move = [&](std::size_t piece) {
-        const Weighing weighing = on_piece(press, axes(first_touching_[piece]),
+        const Weighing weighing = on_piece(contact, axes(first_touching_[piece]),
                                            axes(first_touching_[piece + 1] - first_touching_[piece]), axis);
         const double* const inverse = inverses_.data() + first_inverse_[piece];
         double* const moves = moves_.data() + axes(first_touching_[piece]);
@@ -161,38 +161,38 @@ void Responses::find_moves(const Press& press, Eigen::Index axis) {
         const Lane rest = weighing.from(inverse + i);
         for (std::size_t k = 0; i < rows; ++i, ++k) moves[i] = rest[k];
     };
-    const auto [low, high] = std::minmax(press.piece[0], press.piece[1]);
+    const auto [low, high] = std::minmax(contact.piece[0], contact.piece[1]);
     if (low >= 0) move(at(low));
     if (high > low) move(at(high));
 }
 
-void Responses::forget_moves(const Press& press) {
-    for (const int piece : press.piece)
+void Responses::forget_moves(const ContactConstraint& contact) {
+    for (const int piece : contact.piece)
         if (piece >= 0)
             std::fill(moves_.begin() + axes(first_touching_[at(piece)]),
                       moves_.begin() + axes(first_touching_[at(piece) + 1]), 0.0);
 }
 
-void Responses::measure(State& state, std::vector<Press>& presses, const Pieces& pieces) {
-    find_touching(presses);
-    find_places(state, presses, pieces);
-    find_answers(presses, pieces);
+void Responses::measure(State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces) {
+    find_touching(contacts);
+    find_places(state, contacts, pieces);
+    find_answers(contacts, pieces);
     find_inverses(state, pieces);
-    size_ = axes(presses.size());
+    size_ = axes(contacts.size());
     auto matrix = table_.resized(size_, size_);
     moves_.assign(3 * touching_.size() + beyond + 1, 0.0);  // four numbers even where nothing can move
-    for (std::size_t d = 0; d < presses.size(); ++d) {
+    for (std::size_t d = 0; d < contacts.size(); ++d) {
         for (Eigen::Index a = 0; a < 3; ++a) {
-            find_moves(presses[d], a);
+            find_moves(contacts[d], a);
             double* const row = matrix.row(axes(d) + a).data();
             std::fill_n(row + 3 * d, 3, 0.0);  // where nothing moves
-            for (const Run& run : answers_to(presses[d]))
+            for (const Run& run : answers_to(contacts[d]))
                 for (std::size_t c = std::max(run.first, d); c < run.past; ++c)
-                    Weighing{presses[c].pair.weight, presses[c].place}.from(moves_.data()).three_to(row + 3 * c);
+                    Weighing{contacts[c].pair.weight, contacts[c].place}.from(moves_.data()).three_to(row + 3 * c);
         }
-        forget_moves(presses[d]);
+        forget_moves(contacts[d]);
     }
-    mirror(presses);
+    mirror(contacts);
 }
 
 }  // namespace sim::thread::elastic

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/thread/contact/table.hpp"
-#include "sim/thread/elastic/press.hpp"
+#include "sim/thread/elastic/contact_constraint.hpp"
 
 namespace sim::thread::elastic {
 
@@ -28,11 +28,11 @@ class Responses {
     /// Measures the matrix of these contacts with the rod's inverse at the nodes that they touch; O(m n + m^2) for m
     /// contacts that touch n nodes. Where contacts share no piece of the thread nothing is written. Tells each contact
     /// where its list of answers_to() is.
-    void measure(State& state, std::vector<Press>& presses, const Pieces& pieces);
+    void measure(State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces);
 
     /// The contacts that move when one pushes, increasing: those that share a piece of thread with it, itself among
     /// them unless nothing moves.
-    std::span<const Run> answers_to(const Press& press) const;
+    std::span<const Run> answers_to(const ContactConstraint& contact) const;
     /// How the points of contact c move for pushes at contact d, where they share a piece [m/N]; valid until the next
     /// measure(). By rows, as the whole matrix is: Eigen sums the other way round by columns, to other last bits.
     Block block(std::size_t c, std::size_t d) const;
@@ -42,14 +42,14 @@ class Responses {
     }
 
   private:
-    void find_touching(const std::vector<Press>& presses);
-    void find_places(const State& state, std::vector<Press>& presses, const Pieces& pieces);
-    void add_answers(const std::vector<Press>& presses, const std::array<int, 2>& pieces);
-    void find_answers(std::vector<Press>& presses, const Pieces& pieces);
+    void find_touching(const std::vector<ContactConstraint>& contacts);
+    void find_places(const State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces);
+    void add_answers(const std::vector<ContactConstraint>& contacts, const std::array<int, 2>& pieces);
+    void find_answers(std::vector<ContactConstraint>& contacts, const Pieces& pieces);
     void find_inverses(State& state, const Pieces& pieces);
-    void find_moves(const Press& press, Eigen::Index axis);
-    void forget_moves(const Press& press);
-    void mirror(const std::vector<Press>& presses);
+    void find_moves(const ContactConstraint& contact, Eigen::Index axis);
+    void forget_moves(const ContactConstraint& contact);
+    void mirror(const std::vector<ContactConstraint>& contacts);
 
     contact::Table table_;
     Eigen::Index size_ = 0;                    // rows and columns, one an axis of a contact
@@ -58,7 +58,7 @@ class Responses {
     std::vector<std::size_t> first_touching_;  // of each piece, among what touches; past the last its end
     std::vector<double> inverses_;  // ChainMatrix::inverse_at each piece's nodes that touch, one after the other
     std::vector<std::size_t> first_inverse_;  // where each begins
-    std::vector<Run> answering_;              // lists of presses that answer to others' pushes, in runs
+    std::vector<Run> answering_;              // lists of contacts that answer to others' pushes, in runs
     std::vector<std::size_t> first_answer_;   // where each list begins
     std::vector<double> moves_;               // of what touches, for a unit push at one contact along one axis [m/N]
 };

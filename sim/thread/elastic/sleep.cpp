@@ -53,8 +53,8 @@ void fall_asleep(State& state, const Piece& piece) {
     state.seen.clear();  // what is around is looked for anew
 }
 
-bool has_stirred(const State& state, const SleepingPress& press) {
-    const geometry::Triangle now = wall_of(state, press.row), &then = press.wall;
+bool has_stirred(const State& state, const SleepingContact& contact) {
+    const geometry::Triangle now = wall_of(state, contact.row), &then = contact.wall;
     const double most = stirred(state);
     return (now.a - then.a).squaredNorm() > most * most || (now.b - then.b).squaredNorm() > most * most ||
            (now.c - then.c).squaredNorm() > most * most;
@@ -98,9 +98,9 @@ void wake(State& state, int node) {
     std::fill(state.asleep.begin() + piece.first, state.asleep.begin() + piece.last + 1, 0);
     std::fill(state.watched.begin() + piece.first, state.watched.begin() + piece.last + 1,
               Vec3::Constant(std::numeric_limits<double>::infinity()));
-    for (const SleepingPress& press : state.sleeping)
-        if (is_of(piece, press.row)) state.pressed.push_back(press.row);
-    std::erase_if(state.sleeping, [&](const SleepingPress& press) { return is_of(piece, press.row); });
+    for (const SleepingContact& contact : state.sleeping)
+        if (is_of(piece, contact.row)) state.pressed.push_back(contact.row);
+    std::erase_if(state.sleeping, [&](const SleepingContact& contact) { return is_of(piece, contact.row); });
     state.seen.clear();
 }
 
@@ -114,9 +114,9 @@ void wake_what_is_moved(State& state, std::vector<int>& stirred_links) {
     for (const Hold& hold : state.input.holds)
         if ((hold.target - state.nodes[at(hold.node)]).norm() > stirred(state)) wake(state, hold.node);
     stirred_links.clear();
-    for (const SleepingPress& press : state.sleeping)
-        if (press.row.against == Against::surface && (is_wall_new || has_stirred(state, press)))
-            stirred_links.push_back(press.row.link);
+    for (const SleepingContact& contact : state.sleeping)
+        if (contact.row.against == Against::surface && (is_wall_new || has_stirred(state, contact)))
+            stirred_links.push_back(contact.row.link);
     for (const int link : stirred_links) wake(state, link);
 }
 

@@ -1,4 +1,4 @@
-#include "sim/thread/elastic/press_solver.hpp"
+#include "sim/thread/elastic/contact_solver.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -16,22 +16,22 @@ using Mat3 = Eigen::Matrix3d;
 
 // The push with which one contact alone would be as Coulomb wants it, from the one it has: its points are `lacks` from
 // where they would be. First across, then along.
-static Vec3 push_of(const Press& press, const Vec3& lacks) {
-    const Vec3& n = press.normal;
-    const double before = press.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / press.gives);
-    Vec3 drag = press.push - before * n + press.along * (lacks - (normal - before) * press.across);
-    const double size2 = drag.squaredNorm(), most = press.friction * normal;
+static Vec3 push_of(const ContactConstraint& contact, const Vec3& lacks) {
+    const Vec3& n = contact.normal;
+    const double before = contact.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / contact.gives);
+    Vec3 drag = contact.push - before * n + contact.along * (lacks - (normal - before) * contact.across);
+    const double size2 = drag.squaredNorm(), most = contact.friction * normal;
     if (size2 > most * most) drag *= most / std::sqrt(size2);
     return normal * n + drag;
 }
 
 // How it gives way to its own push.
-static void measure_own(Press& press, const Mat3& responses) {
-    const Vec3& n = press.normal;
-    const Mat3 own = responses + press.give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
-    press.across = own * n;
-    press.gives = n.dot(press.across);
-    press.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
+static void measure_own(ContactConstraint& contact, const Mat3& responses) {
+    const Vec3& n = contact.normal;
+    const Mat3 own = responses + contact.give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
+    contact.across = own * n;
+    contact.gives = n.dot(contact.across);
+    contact.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
 }
 
 Vec3 way_of(const State& state, const Row& row) {
@@ -41,23 +41,23 @@ Vec3 way_of(const State& state, const Row& row) {
 }
 
 // Where the step takes the points of all.
-static void find_apart(const State& state, PressSet& set) {
-    set.apart.resize(3 * set.presses.size());
-    for (std::size_t c = 0; c < set.presses.size(); ++c) {
-        const Row& row = *set.presses[c].row;
+static void find_apart(const State& state, ContactSet& set) {
+    set.apart.resize(3 * set.contacts.size());
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) {
+        const Row& row = *set.contacts[c].row;
         const Vec3 apart = apart_of(state, row) + way_of(state, row);
         std::copy_n(apart.data(), 3, set.apart.data() + 3 * c);
     }
 }
 
-void push_more(PressSet& set, const Responses& responses, std::size_t c, const Vec3& more) {
-    set.presses[c].push += more;
+void push_more(ContactSet& set, const Responses& responses, std::size_t c, const Vec3& more) {
+    set.contacts[c].push += more;
     const double* const x = responses.row(c, 0);
     const double* const y = responses.row(c, 1);
     const double* const z = responses.row(c, 2);
     const double along_x = more.x(), along_y = more.y(), along_z = more.z();
     double* const apart = set.apart.data();
-    for (const Run& run : responses.answers_to(set.presses[c])) {
+    for (const Run& run : responses.answers_to(set.contacts[c])) {
         const std::size_t past = 3 * run.past;
         std::size_t i = 3 * run.first;
         for (; i + 4 <= past; i += 4)
@@ -69,13 +69,13 @@ void push_more(PressSet& set, const Responses& responses, std::size_t c, const V
 }
 
 // One contact after the other; returns how much that changed, as share of all pushes.
-double PressSolver::sweep(PressSet& set) const {
+double ContactSolver::sweep(ContactSet& set) const {
     double changed = 0, all = 0;
-    for (std::size_t c = 0; c < set.presses.size(); ++c) {
-        const Press& press = set.presses[c];
-        const Vec3 lacks = press.rest - set.apart_of(c) - press.give * press.push;
-        if (press.push.squaredNorm() == 0 && lacks.dot(press.normal) <= 0) continue;  // as half of them
-        const Vec3 push = push_of(press, lacks), more = push - press.push;
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) {
+        const ContactConstraint& contact = set.contacts[c];
+        const Vec3 lacks = contact.rest - set.apart_of(c) - contact.give * contact.push;
+        if (contact.push.squaredNorm() == 0 && lacks.dot(contact.normal) <= 0) continue;  // as half of them
+        const Vec3 push = push_of(contact, lacks), more = push - contact.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
         if (more.squaredNorm() > 0) push_more(set, responses_, c, more);
     }
@@ -83,12 +83,12 @@ double PressSolver::sweep(PressSet& set) const {
 }
 
 // What the last sweep gained is carried on by `again` times where the ones before led.
-void PressSolver::carry_on(PressSet& set, double again) {
-    for (Press& press : set.presses) {
-        const Vec3 gain = press.push - press.before;
-        press.way *= again;
-        press.push += press.way;
-        press.way += gain;
+void ContactSolver::carry_on(ContactSet& set, double again) {
+    for (ContactConstraint& contact : set.contacts) {
+        const Vec3 gain = contact.push - contact.before;
+        contact.way *= again;
+        contact.push += contact.way;
+        contact.way += gain;
     }
     for (std::size_t i = 0; i < set.apart.size(); ++i) {
         const double gain = set.apart[i] - apart_before_[i];
@@ -98,23 +98,23 @@ void PressSolver::carry_on(PressSet& set, double again) {
     }
 }
 
-static double gained(const PressSet& set) {
+static double gained(const ContactSet& set) {
     double sum = 0;
-    for (const Press& press : set.presses) sum += (press.push - press.before).squaredNorm();
+    for (const ContactConstraint& contact : set.contacts) sum += (contact.push - contact.before).squaredNorm();
     return sum;
 }
 
 // Gauss and Seidel alone gain a little less each time where many work against each other; what each sweep gains is
 // carried on as by nonlinear conjugate gradients [Silcowitz, Niebe and Erleben 2010, algorithm 1]. A sweep is last, so
 // that no push leaves its cone.
-int PressSolver::sweep_until_still(PressSet& set) {
+int ContactSolver::sweep_until_still(ContactSet& set) {
     constexpr double enough = 1e-5;  // of all pushes, by a sweep: with a hundred times that a loaded knot creeps on by
                                      // its thickness every half second
     constexpr int most_sweeps = 60;
     double last = 0;
     apart_way_.assign(set.apart.size(), 0.0);
     for (int sweeps = 1;; ++sweeps) {
-        for (Press& press : set.presses) press.before = press.push;
+        for (ContactConstraint& contact : set.contacts) contact.before = contact.push;
         apart_before_ = set.apart;
         if (sweep(set) < enough || sweeps == most_sweeps) return sweeps;
         const double now = gained(set);
@@ -123,11 +123,11 @@ int PressSolver::sweep_until_still(PressSet& set) {
     }
 }
 
-int PressSolver::solve(State& state, PressSet& set, const Pieces& pieces) {
-    if (set.presses.empty()) return 0;
-    responses_.measure(state, set.presses, pieces);
+int ContactSolver::solve(State& state, ContactSet& set, const Pieces& pieces) {
+    if (set.contacts.empty()) return 0;
+    responses_.measure(state, set.contacts, pieces);
     find_apart(state, set);
-    for (std::size_t c = 0; c < set.presses.size(); ++c) measure_own(set.presses[c], responses_.block(c, c));
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) measure_own(set.contacts[c], responses_.block(c, c));
     const int sweeps = sweep_until_still(set);
     normals_.part(set, responses_, state.def.radius);
     return sweeps;

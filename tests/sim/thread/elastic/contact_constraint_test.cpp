@@ -4,15 +4,15 @@
 #include <random>
 
 #include "sim/geometry/at.hpp"
-#include "sim/thread/elastic/find_presses.hpp"
-#include "sim/thread/elastic/press_solver.hpp"
+#include "sim/thread/elastic/contact_solver.hpp"
+#include "sim/thread/elastic/find_contacts.hpp"
 
-namespace presses {
+namespace contact_constraints {
 
 using sim::at;
 using sim::geometry::Vec3;
 using sim::rod::Pair;
-using sim::thread::elastic::PressSet;
+using sim::thread::elastic::ContactSet;
 using sim::thread::elastic::State;
 
 constexpr int nodes = 24, pieces = 3, size = nodes / pieces;  // of which the first two touch each other
@@ -20,7 +20,7 @@ constexpr int nodes = 24, pieces = 3, size = nodes / pieces;  // of which the fi
 // An elastic thread cut in three, its matrix one that a rod could have.
 struct Cut {
     State state;
-    PressSet set;
+    ContactSet set;
     sim::thread::elastic::Pieces all;
     Eigen::MatrixXd inverse;
 
@@ -57,7 +57,7 @@ struct Cut {
 
     // Between a link of one piece and a link of another or of the same, of a tool (none: -1), or where no node can
     // move.
-    void press(std::mt19937& random, int piece, int other) {
+    void contact(std::mt19937& random, int piece, int other) {
         Pair pair;
         const auto add = [&](int of, double sign) {
             if (of < 0) return;
@@ -67,15 +67,15 @@ struct Cut {
                 pair.node[at(pair.nodes)] = first + k, pair.weight[at(pair.nodes++)] = sign * (k ? share : 1 - share);
         };
         add(piece, 1), add(other, -1);
-        set.presses.emplace_back(&row).pair = pair;
+        set.contacts.emplace_back(&row).pair = pair;
     }
     Eigen::MatrixXd ways() const {
-        Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * set.presses.size()), 3 * nodes);
-        for (std::size_t c = 0; c < set.presses.size(); ++c)
-            for (int k = 0; k < set.presses[c].pair.nodes; ++k)
+        Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(3 * set.contacts.size()), 3 * nodes);
+        for (std::size_t c = 0; c < set.contacts.size(); ++c)
+            for (int k = 0; k < set.contacts[c].pair.nodes; ++k)
                 for (int a = 0; a < 3; ++a)
-                    ways(sim::axes(c) + a, 3 * set.presses[c].pair.node[at(k)] + a) +=
-                        set.presses[c].pair.weight[at(k)];
+                    ways(sim::axes(c) + a, 3 * set.contacts[c].pair.node[at(k)] + a) +=
+                        set.contacts[c].pair.weight[at(k)];
         return ways;
     }
     sim::thread::contact::Row row{};
@@ -100,10 +100,10 @@ Row pressed(int triangle, const Vec3& push) {
 
 // What all that may press pushes with, found anew [mN].
 Vec3 pushed(State& state) {
-    std::vector<sim::thread::elastic::Press> presses;
-    sim::thread::elastic::PressFinder(state.most_links()).find(state, presses);
+    std::vector<sim::thread::elastic::ContactConstraint> contacts;
+    sim::thread::elastic::ContactFinder(state.most_links()).find(state, contacts);
     Vec3 sum = Vec3::Zero();
-    for (const auto& press : presses) sum += 1e3 * press.push;
+    for (const auto& contact : contacts) sum += 1e3 * contact.push;
     return sum;
 }
 
@@ -132,20 +132,20 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
         Cut cut(random);
-        PressSet& set = cut.set;
+        ContactSet& set = cut.set;
         sim::thread::elastic::Responses responses;
         const int last = seed % 2 ? 1 : 2;  // the third piece touches nothing, or itself alone
         for (int i = 0; i < 30; ++i) {
             const int piece = static_cast<int>(random() % static_cast<unsigned>(last + 1));
             const int others[] = {-1, piece, piece < 2 ? 1 - piece : -1};
-            cut.press(random, i == 7 ? -1 : piece, i == 7 ? -1 : others[random() % 3]);
+            cut.contact(random, i == 7 ? -1 : piece, i == 7 ? -1 : others[random() % 3]);
         }
-        const std::size_t count = set.presses.size();
+        const std::size_t count = set.contacts.size();
         responses.reserve(count, nodes);
-        responses.measure(cut.state, set.presses, cut.all);
+        responses.measure(cut.state, set.contacts, cut.all);
         const Eigen::MatrixXd ways = cut.ways(), expected = ways * cut.inverse * ways.transpose();
         for (std::size_t d = 0; d < count; ++d)
-            for (const sim::thread::elastic::Run& run : responses.answers_to(set.presses[d])) {
+            for (const sim::thread::elastic::Run& run : responses.answers_to(set.contacts[d])) {
                 for (std::size_t c = run.first; c < run.past; ++c)
                     ASSERT_LT((responses.block(d, c) - expected.block<3, 3>(sim::axes(d), sim::axes(c)))
                                   .cwiseAbs()
@@ -157,12 +157,12 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         push_more(set, responses, 3, push);
         const Eigen::Map<const Eigen::VectorXd> moved(set.apart.data(), expected.rows());
         EXPECT_LT((moved - expected.middleCols<3>(9) * push).cwiseAbs().maxCoeff(), 1e-12);
-        for (auto& press : set.presses) press.normal = Vec3::UnitZ(), press.rest = 1e-3 * press.normal;
+        for (auto& contact : set.contacts) contact.normal = Vec3::UnitZ(), contact.rest = 1e-3 * contact.normal;
         sim::thread::elastic::NormalSolver().part(set, responses, cut.state.def.radius);
         double sum = 0;
-        for (const auto& press : set.presses) sum += press.push.norm();
+        for (const auto& contact : set.contacts) sum += contact.push.norm();
         EXPECT_TRUE(sum > push.norm() && std::isfinite(sum)) << "too near, they push";
     }
 }
 
-}  // namespace presses
+}  // namespace contact_constraints

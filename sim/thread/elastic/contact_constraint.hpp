@@ -6,16 +6,16 @@
 
 namespace sim::thread::elastic {
 
-/// A run of presses, one after the other.
+/// A run of contacts, one after the other.
 struct Run {
-    std::size_t first;  ///< Index of the first press.
-    std::size_t past;   ///< Index one past the last press.
+    std::size_t first;  ///< Index of the first contact.
+    std::size_t past;   ///< Index one past the last contact.
 };
 
 /// A contact of an elastic thread during one step.
-struct Press {
-    /// A press at a row of State::rows, which must outlive it.
-    explicit Press(Row* of) : row(of), normal(of->normal) {}
+struct ContactConstraint {
+    /// A contact at a row of State::rows, which must outlive it.
+    explicit ContactConstraint(Row* of) : row(of), normal(of->normal) {}
 
     Row* row;                    ///< The row of State::rows that says where it touches.
     Vec3 normal;                 ///< The row's normal: sweeps have it at hand with what follows.
@@ -32,15 +32,16 @@ struct Press {
     Pair pair;                   ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< First axis of each of those nodes among all that touch.
     std::array<int, 2> piece{-1, -1};     ///< Pieces of the thread that it touches; none: -1.
-    std::size_t answers = 0;              ///< Number of the list of presses that respond to its pushes.
+    std::size_t answers = 0;              ///< Number of the list of contacts that respond to its pushes.
 };
 
 /// All contacts of a step, or of an island.
-struct PressSet {
-    std::vector<Press> presses;  ///< The contacts, nearest first.
-    std::vector<double> apart;  ///< Three numbers a press: from the other's point to the link's as the step has it [m].
+struct ContactSet {
+    std::vector<ContactConstraint> contacts;  ///< The contacts, nearest first.
+    std::vector<double>
+        apart;  ///< Three numbers a contact: from the other's point to the link's as the step has it [m].
 
-    /// How far a press's points are apart as the step has it [m].
+    /// How far a contact's points are apart as the step has it [m].
     Vec3 apart_of(std::size_t c) const { return Eigen::Map<const Vec3>(apart.data() + 3 * c); }
 };
 

@@ -1,4 +1,4 @@
-#include "sim/thread/elastic/find_presses.hpp"
+#include "sim/thread/elastic/find_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 // What of all that an elastic thread is near may press on it in a step, and where each would be.
 namespace sim::thread::elastic {
 
-PressFinder::PressFinder(std::size_t most_links) {
+ContactFinder::ContactFinder(std::size_t most_links) {
     nearest_rows_.reserve(8 * most_links);
 }
 
@@ -41,7 +41,7 @@ static Vec3 along(const Vec3& a, const Vec3& b) {
 
 // Two lines d apart at an angle b that both turn by a towards each other are d a^2 / (1 - |cos b|) nearer at most, and
 // touch so much farther along: no farther than from the middle of a link to its end.
-void PressFinder::add_rolling(const State& state, const Row& row) {
+void ContactFinder::add_rolling(const State& state, const Row& row) {
     if (row.against == Against::surface) return;
     const auto end = [&](int link) { return state.nodes[at(link) + 1]; };
     const bool strand = row.against == Against::thread;
@@ -82,25 +82,26 @@ static bool says_the_same(const State& state, const Row& a, const Row& b) {
            (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
 }
 
-static Press* said_already(const State& state, std::vector<Press>& presses, const Row& row) {
-    const auto known = std::find_if(presses.begin(), presses.end(),
-                                    [&](const Press& press) { return says_the_same(state, *press.row, row); });
-    return known == presses.end() ? nullptr : &*known;
+static ContactConstraint* said_already(const State& state, std::vector<ContactConstraint>& contacts, const Row& row) {
+    const auto known = std::find_if(contacts.begin(), contacts.end(), [&](const ContactConstraint& contact) {
+        return says_the_same(state, *contact.row, row);
+    });
+    return known == contacts.end() ? nullptr : &*known;
 }
 
-static void press_as_before(Press& press, const Row& before) {
-    const Vec3& n = press.normal;
-    press.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
-    press.began += before.began;
+static void push_as_before(ContactConstraint& contact, const Row& before) {
+    const Vec3& n = contact.normal;
+    contact.push += before.normal_push * n + before.tangent_push - before.tangent_push.dot(n) * n;
+    contact.began += before.began;
 }
 
 // What pressed on a triangle and now lies nearer to the next goes on pressing there. Forgotten, what stuck would slide:
 // the forces on a wall that a tied stitch rests on went up and down by a tenth from tick to tick, by a fiftieth with
 // this, and its knot moved three times as much.
-static void hand_on_between_triangles(const State& state, std::vector<Press>& presses) {
+static void hand_on_between_triangles(const State& state, std::vector<ContactConstraint>& contacts) {
     for (const Row& before : state.pressed) {
         if (before.against != Against::surface || before.is_there_still) continue;
-        if (Press* const press = said_already(state, presses, before)) press_as_before(*press, before);
+        if (ContactConstraint* const contact = said_already(state, contacts, before)) push_as_before(*contact, before);
     }
 }
 
@@ -129,22 +130,22 @@ static bool slips_on_body(const Row& row) {
            row.tangent_push.norm() > all * row.friction * row.normal_push;
 }
 
-void PressFinder::add_press(State& state, std::vector<Press>& presses, Row& row) {
+void ContactFinder::add_contact(State& state, std::vector<ContactConstraint>& contacts, Row& row) {
     const Row* const before = pressed_before(state, row);
     if (before && slips_on_body(*before)) row.normal = normal_ahead(state, row);
     if (!before && is_far(state, row)) return;
-    if (Press* const known = said_already(state, presses, row)) {
-        if (before) press_as_before(*known, *before);
+    if (ContactConstraint* const known = said_already(state, contacts, row)) {
+        if (before) push_as_before(*known, *before);
         return;
     }
-    Press& press = presses.emplace_back(&row);
-    add_node(state, press.pair, row.link, 1 - row.s);
-    add_node(state, press.pair, row.link + 1, row.s);
+    ContactConstraint& contact = contacts.emplace_back(&row);
+    add_node(state, contact.pair, row.link, 1 - row.s);
+    add_node(state, contact.pair, row.link + 1, row.s);
     if (row.against == Against::thread) {
-        add_node(state, press.pair, row.other, row.t - 1);
-        add_node(state, press.pair, row.other + 1, -row.t);
+        add_node(state, contact.pair, row.other, row.t - 1);
+        add_node(state, contact.pair, row.other + 1, -row.t);
     }
-    if (before) press_as_before(press, *before);
+    if (before) push_as_before(contact, *before);
 }
 
 // Thread goes on beyond either end of its link, so that it can turn there.
@@ -181,22 +182,22 @@ double give_of_wall(const State& state, const Row& row) {
 }
 
 // Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.
-void PressFinder::set_rest(const State& state, Press& press) {
-    Row& row = *press.row;
-    row.normal_push = press.push.dot(row.normal);
+void ContactFinder::set_rest(const State& state, ContactConstraint& contact) {
+    Row& row = *contact.row;
+    row.normal_push = contact.push.dot(row.normal);
     row.friction *= for_rims(state, row);
-    press.friction = row.friction * for_corners(state, row);
-    press.pair.force = press.push;
+    contact.friction = row.friction * for_corners(state, row);
+    contact.pair.force = contact.push;
     const double stiffness = state.rod.def().contact_stiffness(state.rest_length[0]), soft = give_of_wall(state, row);
-    press.give = 1 / stiffness + soft;
-    press.rest =
+    contact.give = 1 / stiffness + soft;
+    contact.rest =
         row.start +
         ((row.against == Against::thread ? row.target : row.thickness) - row.start.dot(row.normal)) * row.normal +
-        (press.push - row.normal_push * row.normal) / stiffness + soft * press.began;
+        (contact.push - row.normal_push * row.normal) / stiffness + soft * contact.began;
     if (row.normal_push > 0) add_rolling(state, row);
 }
 
-void PressFinder::sort_by_distance(State& state) {
+void ContactFinder::sort_by_distance(State& state) {
     nearest_rows_.clear();
     for (Row& row : state.rows) nearest_rows_.push_back(&row);
     std::sort(nearest_rows_.begin(), nearest_rows_.end(), [](const Row* a, const Row* b) {
@@ -204,16 +205,16 @@ void PressFinder::sort_by_distance(State& state) {
     });
 }
 
-void PressFinder::find(State& state, std::vector<Press>& presses) {
-    presses.clear();
+void ContactFinder::find(State& state, std::vector<ContactConstraint>& contacts) {
+    contacts.clear();
     rolling_.clear();
     sort_by_distance(state);
     for (Row& row : state.pressed) row.is_there_still = false;
-    for (Row* row : nearest_rows_) add_press(state, presses, *row);
-    hand_on_between_triangles(state, presses);
-    for (Press& press : presses) set_rest(state, press);
+    for (Row* row : nearest_rows_) add_contact(state, contacts, *row);
+    hand_on_between_triangles(state, contacts);
+    for (ContactConstraint& contact : contacts) set_rest(state, contact);
     pairs_.clear();
-    for (const Press& press : presses) pairs_.push_back(press.pair);
+    for (const ContactConstraint& contact : contacts) pairs_.push_back(contact.pair);
 }
 
 }  // namespace sim::thread::elastic

@@ -6,7 +6,7 @@
 namespace sim::thread::elastic {
 
 /// Pushes contact c by `more` [N] than it does, and moves the points of all. O(contacts that share a piece with it).
-void push_more(PressSet& set, const Responses& responses, std::size_t c, const Vec3& more);
+void push_more(ContactSet& set, const Responses& responses, std::size_t c, const Vec3& more);
 
 /// The normal forces of all contacts together: a linear complementarity problem, by block principal pivoting.
 class NormalSolver {
@@ -14,14 +14,14 @@ class NormalSolver {
     /// Where sweeps left a contact a hundredth of a thickness nearer than it would be: finds what all push across, to
     /// rounding, with what they drag as it is but within its cone. It costs a Cholesky factorisation of the contacts
     /// that push for each change of the set. `radius`: of the thread [m].
-    void part(PressSet& set, const Responses& responses, double radius);
+    void part(ContactSet& set, const Responses& responses, double radius);
 
   private:
-    Eigen::Map<contact::Table::Matrix> responses_across(const PressSet& set, const Responses& responses);
-    bool solve_pushing(PressSet& set, const Responses& responses);
-    bool settle_across(PressSet& set, const Responses& responses, double near);
-    void find_wrong(const PressSet& set, double near);
-    void change_wrong(PressSet& set, const Responses& responses);
+    Eigen::Map<contact::Table::Matrix> responses_across(const ContactSet& set, const Responses& responses);
+    bool solve_pushing(ContactSet& set, const Responses& responses);
+    bool settle_across(ContactSet& set, const Responses& responses, double near);
+    void find_wrong(const ContactSet& set, double near);
+    void change_wrong(ContactSet& set, const Responses& responses);
 
     std::vector<int> pushing_;    // contacts that push, increasing
     std::vector<int> wrong_;      // contacts that pull, or are too near and do not push
@@ -30,20 +30,20 @@ class NormalSolver {
 };
 
 /// What an elastic thread touches, solved together with it.
-class PressSolver {
+class ContactSolver {
   public:
     /// Solves a set until all push as Coulomb's law wants it, against the rod whose step with the pushes as they were
     /// is known; returns how many sweeps over the set that took.
-    int solve(State& state, PressSet& set, const Pieces& pieces);
+    int solve(State& state, ContactSet& set, const Pieces& pieces);
 
   private:
-    double sweep(PressSet& set) const;
-    void carry_on(PressSet& set, double again);
-    int sweep_until_still(PressSet& set);
+    double sweep(ContactSet& set) const;
+    void carry_on(ContactSet& set, double again);
+    int sweep_until_still(ContactSet& set);
 
     Responses responses_;
     NormalSolver normals_;
-    std::vector<double> apart_before_;  // PressSet::apart as a sweep began
+    std::vector<double> apart_before_;  // ContactSet::apart as a sweep began
     std::vector<double> apart_way_;     // where sweeps lead
 };
 
@@ -53,19 +53,19 @@ class IslandSolver {
     /// Makes room for a thread of at most so many links.
     explicit IslandSolver(std::size_t most_links);
 
-    /// Does what PressSolver::solve() does, island by island; returns the most sweeps that one took.
-    int solve(State& state, PressSet& set);
+    /// Does what ContactSolver::solve() does, island by island; returns the most sweeps that one took.
+    int solve(State& state, ContactSet& set);
 
   private:
     int island_of(int piece) const;
-    int island_of(const Press& press) const;
-    void find_islands(const State& state, const PressSet& set);
-    int solve_island(State& state, PressSet& set, int island);
+    int island_of(const ContactConstraint& contact) const;
+    void find_islands(const State& state, const ContactSet& set);
+    int solve_island(State& state, ContactSet& set, int island);
 
-    PressSolver solver_;
+    ContactSolver solver_;
     Pieces pieces_;
     std::vector<int> island_;  // of each piece the first in its island
-    PressSet alone_;           // the presses of one island, while it is solved
+    ContactSet alone_;         // the contacts of one island, while it is solved
 };
 
 }  // namespace sim::thread::elastic

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sim/thread/elastic/press.hpp"
+#include "sim/thread/elastic/contact_constraint.hpp"
 
 namespace sim::thread::elastic {
 
@@ -12,25 +12,25 @@ bool is_far(const State& state, const Row& row);
 double give_of_wall(const State& state, const Row& row);
 
 /// Finds what of all that an elastic thread is near may press on it in a step.
-class PressFinder {
+class ContactFinder {
   public:
     /// Makes room for a thread of at most so many links.
-    explicit PressFinder(std::size_t most_links);
+    explicit ContactFinder(std::size_t most_links);
 
-    /// Puts the rows that press, or may come to in this step, into `presses`, nearest first. O(rows log rows + rows
-    /// presses).
-    void find(State& state, std::vector<Press>& presses);
+    /// Puts the rows that press, or may come to in this step, into `contacts`, nearest first. O(rows log rows + rows
+    /// contacts).
+    void find(State& state, std::vector<ContactConstraint>& contacts);
 
-    /// The forces on the rod of the presses found last.
+    /// The forces on the rod of the contacts found last.
     std::span<const Pair> pairs() const { return pairs_; }
-    /// The links of the presses found last that roll on what they are pressed against.
+    /// The links of the contacts found last that roll on what they are pressed against.
     std::span<const Rolling> rolling() const { return rolling_; }
 
   private:
     void sort_by_distance(State& state);
-    void add_press(State& state, std::vector<Press>& presses, Row& row);
+    void add_contact(State& state, std::vector<ContactConstraint>& contacts, Row& row);
     void add_rolling(const State& state, const Row& row);
-    void set_rest(const State& state, Press& press);
+    void set_rest(const State& state, ContactConstraint& contact);
 
     std::vector<Row*> nearest_rows_;
     std::vector<Pair> pairs_;
