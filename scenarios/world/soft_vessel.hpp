@@ -13,9 +13,9 @@ namespace scenarios::world {
 /// as fine where both ends are held; those of a mesh are as fine as the mesh.
 tissue::Mesh wall_of(const VesselDef& def);
 
-/// Compliance of a wall as the thread reckons with it where its push on the wall changes [m/N] (TickInput::soft_give).
-/// An end of 0.2 MPa gives way by 10 mm a newton, one of 2 MPa by 1. With less than that a strand goes through a rim
-/// before its wall has followed.
+/// Compliance of a wall as the thread reckons with it where its push on the wall changes [m/N]
+/// (TickInput::soft_compliance). An end of 0.2 MPa gives way by 10 mm a newton, one of 2 MPa by 1. With less than that
+/// a strand goes through a rim before its wall has followed.
 constexpr double wall_compliance = 1e-3;
 
 /// What a thread presses with at a point of a wall.

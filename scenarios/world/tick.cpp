@@ -142,7 +142,7 @@ sim::thread::TickReport World::move_thread() {
                          .surface_moved = walls_.moved(),
                          .sheathed = swages_,
                          .soft_from = walls_.soft_from(),
-                         .soft_give = wall_compliance});
+                         .soft_compliance = wall_compliance});
 }
 
 // When the thread is taut a tool waits: it goes only as far as the thread let it. An elastic thread lets all tools wait

@@ -157,15 +157,15 @@ double Rod::go() {
 void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
     const std::size_t n = lengths.size();
     for (auto* of_links : {&pivot_, &upper_, &shorten_}) of_links->resize(n);
-    const auto gives = [&](std::size_t i) { return held_[i] ? 0.0 : 1.0; };
+    const auto mobility = [&](std::size_t i) { return held_[i] ? 0.0 : 1.0; };
     for (int round = 0; round < 2; ++round) {
         measure(x, tried_);
         for (std::size_t k = 0; k < n; ++k) {
             shorten_[k] = tried_[k].length - lengths[k];
-            pivot_[k] = gives(k) + gives(k + 1);
+            pivot_[k] = mobility(k) + mobility(k + 1);
             if (pivot_[k] == 0 || is_cut(k)) pivot_[k] = 1, shorten_[k] = 0;  // between two held nodes
             if (k == 0) continue;
-            upper_[k - 1] = is_cut(k - 1) || is_cut(k) ? 0 : -gives(k) * tried_[k - 1].along.dot(tried_[k].along);
+            upper_[k - 1] = is_cut(k - 1) || is_cut(k) ? 0 : -mobility(k) * tried_[k - 1].along.dot(tried_[k].along);
             const double factor = upper_[k - 1] / pivot_[k - 1];
             pivot_[k] -= factor * upper_[k - 1], shorten_[k] -= factor * shorten_[k - 1];
             // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a
@@ -175,8 +175,8 @@ void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
         for (std::size_t k = n; k-- > 0;)
             shorten_[k] = (shorten_[k] - (k + 1 < n ? upper_[k] * shorten_[k + 1] : 0)) / pivot_[k];
         for (std::size_t k = 0; k < n; ++k) {
-            x[k] += gives(k) * shorten_[k] * tried_[k].along;
-            x[k + 1] -= gives(k + 1) * shorten_[k] * tried_[k].along;
+            x[k] += mobility(k) * shorten_[k] * tried_[k].along;
+            x[k + 1] -= mobility(k + 1) * shorten_[k] * tried_[k].along;
         }
     }
 }

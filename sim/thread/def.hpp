@@ -52,7 +52,7 @@ struct TickInput {
     /// Compliance with which a push is taken to move soft triangles at once [m/N]; elastic only. Where both sides,
     /// solved in turn, reckon with the other's compliance their pushes converge however stiff either is (Robin
     /// conditions: Badia, Nobile and Vergara 2008).
-    double soft_give = 0;
+    double soft_compliance = 0;
 };
 
 /// What a tick did and what it gave up.
@@ -74,7 +74,7 @@ struct SurfaceForce {
     Vec3 at;       ///< Where on the triangle the force acts [m].
     Vec3 force;    ///< Force on the triangle [N].
     int link;      ///< The link that presses.
-    /// How far the thread takes the triangle to have gone at once, TickInput::soft_give times what the force has
+    /// How far the thread takes the triangle to have gone at once, TickInput::soft_compliance times what the force has
     /// changed by in this tick [m].
     Vec3 deeper = Vec3::Zero();
     /// The triangle as it was when the piece that presses fell asleep; none where that is awake.

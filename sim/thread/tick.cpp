@@ -28,7 +28,7 @@ std::size_t groups_of(const TickInput& input) {
 void expect_kept([[maybe_unused]] const contact::State& state, const TickInput& input) {
     assert(input.hold_owners.size() == input.holds.size() && "an owner for each hold");
     assert((input.loads.empty() || input.loads.size() == state.nodes.size()) && "a load for each node, or none");
-    assert((!state.def.elastic || input.seconds > 0) && input.surface_moved >= 0 && input.soft_give >= 0);
+    assert((!state.def.elastic || input.seconds > 0) && input.surface_moved >= 0 && input.soft_compliance >= 0);
     for ([[maybe_unused]] const Hold& hold : input.holds)
         assert(hold.node >= 0 && hold.node <= state.links() && "a node of the thread");
     for ([[maybe_unused]] const int owner : input.hold_owners) assert(owner >= -1);

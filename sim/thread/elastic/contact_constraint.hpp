@@ -23,8 +23,8 @@ struct ContactConstraint {
     Vec3 began = Vec3::Zero();   ///< The push as the tick began [N].
     Vec3 rest = Vec3::Zero();    ///< Where it would press and drag no more: the link's point from the other's [m].
     double friction = 0;         ///< Coulomb's coefficient, corrected for what a polyline lacks.
-    double give = 0;             ///< Compliance of the contact itself and of what it presses on [m/N].
-    double gives = 0;            ///< Compliance of its points to its own push along the normal, along it [m/N].
+    double compliance = 0;       ///< Compliance of the contact itself and of what it presses on [m/N].
+    double own_compliance = 0;   ///< Compliance of its points to its own push along the normal, along it [m/N].
     Vec3 across = Vec3::Zero();  ///< How its points move for a unit push along the normal [m/N].
     Eigen::Matrix3d along = {};  ///< The push across the normal that undoes a slip [N/m].
     Vec3 before = Vec3::Zero();  ///< The push as a sweep began [N].

@@ -18,19 +18,19 @@ using Mat3 = Eigen::Matrix3d;
 // where they would be. First across, then along.
 static Vec3 push_of(const ContactConstraint& contact, const Vec3& lacks) {
     const Vec3& n = contact.normal;
-    const double before = contact.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / contact.gives);
+    const double before = contact.push.dot(n), normal = std::max(0.0, before + lacks.dot(n) / contact.own_compliance);
     Vec3 drag = contact.push - before * n + contact.along * (lacks - (normal - before) * contact.across);
     const double size2 = drag.squaredNorm(), most = contact.friction * normal;
     if (size2 > most * most) drag *= most / std::sqrt(size2);
     return normal * n + drag;
 }
 
-// How it gives way to its own push.
+// Its compliance to its own push.
 static void measure_own(ContactConstraint& contact, const Mat3& responses) {
     const Vec3& n = contact.normal;
-    const Mat3 own = responses + contact.give * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
+    const Mat3 own = responses + contact.compliance * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
     contact.across = own * n;
-    contact.gives = n.dot(contact.across);
+    contact.own_compliance = n.dot(contact.across);
     contact.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
 }
 
@@ -73,7 +73,7 @@ double ContactSolver::sweep(ContactSet& set) const {
     double changed = 0, all = 0;
     for (std::size_t c = 0; c < set.contacts.size(); ++c) {
         const ContactConstraint& contact = set.contacts[c];
-        const Vec3 lacks = contact.rest - set.apart_of(c) - contact.give * contact.push;
+        const Vec3 lacks = contact.rest - set.apart_of(c) - contact.compliance * contact.push;
         if (contact.push.squaredNorm() == 0 && lacks.dot(contact.normal) <= 0) continue;  // as half of them
         const Vec3 push = push_of(contact, lacks), more = push - contact.push;
         changed += more.squaredNorm(), all += push.squaredNorm();

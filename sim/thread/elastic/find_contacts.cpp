@@ -177,8 +177,8 @@ static double for_rims(const State& state, const Row& row) {
     return sine > 0 ? geometry::portable_atan2(sine, 1 + cosine) * (1 + cosine) / sine : 1;
 }
 
-double give_of_wall(const State& state, const Row& row) {
-    return is_on_soft_wall(state, row) ? state.input.soft_give : 0;
+double compliance_of_wall(const State& state, const Row& row) {
+    return is_on_soft_wall(state, row) ? state.input.soft_compliance : 0;
 }
 
 // Where it would press and drag no more: out of a tool or a wall at once, strands apart as fast as leaves them room.
@@ -188,8 +188,9 @@ void ContactFinder::set_rest(const State& state, ContactConstraint& contact) {
     row.friction *= for_rims(state, row);
     contact.friction = row.friction * for_corners(state, row);
     contact.pair.force = contact.push;
-    const double stiffness = state.rod.def().contact_stiffness(state.rest_length[0]), soft = give_of_wall(state, row);
-    contact.give = 1 / stiffness + soft;
+    const double stiffness = state.rod.def().contact_stiffness(state.rest_length[0]),
+                 soft = compliance_of_wall(state, row);
+    contact.compliance = 1 / stiffness + soft;
     contact.rest =
         row.start +
         ((row.against == Against::thread ? row.target : row.thickness) - row.start.dot(row.normal)) * row.normal +

@@ -9,7 +9,7 @@ namespace sim::thread::elastic {
 bool is_far(const State& state, const Row& row);
 
 /// The compliance of a soft wall to what a push on it has changed by since the wall was moved [m/N]; 0 of a hard one.
-double give_of_wall(const State& state, const Row& row);
+double compliance_of_wall(const State& state, const Row& row);
 
 /// Finds what of all that an elastic thread is near may press on it in a step.
 class ContactFinder {

@@ -193,7 +193,7 @@ void Mover::find_surface_forces() {
     for (const Row& row : state.pressed) {
         if (row.against != Against::surface) continue;
         state.surface_forces.push_back(force_of(row));
-        state.surface_forces.back().deeper = give_of_wall(state, row) * (row.began - row.push());
+        state.surface_forces.back().deeper = compliance_of_wall(state, row) * (row.began - row.push());
     }
     for (const SleepingContact& contact : state.sleeping) {
         if (contact.row.against != Against::surface) continue;

@@ -23,7 +23,7 @@ double normal_push(const ContactConstraint& contact) {
 double lacks(const ContactSet& set, std::size_t c) {
     const ContactConstraint& contact = set.contacts[c];
     const Vec3& n = contact.normal;
-    return (contact.rest - set.apart_of(c)).dot(n) - contact.give * normal_push(contact);
+    return (contact.rest - set.apart_of(c)).dot(n) - contact.compliance * normal_push(contact);
 }
 
 bool share_piece(const ContactConstraint& a, const ContactConstraint& b) {
@@ -78,7 +78,8 @@ bool NormalSolver::solve_pushing(ContactSet& set, const Responses& responses) {
         1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
     Matrix across = responses_across(set, responses);
     const double more = softer * across.diagonal().mean();
-    for (Eigen::Index i = 0; i < across.rows(); ++i) across(i, i) += set.contacts[at(pushing_[at(i)])].give + more;
+    for (Eigen::Index i = 0; i < across.rows(); ++i)
+        across(i, i) += set.contacts[at(pushing_[at(i)])].compliance + more;
     const Eigen::LLT<Eigen::Ref<contact::Table::Matrix>> in_place(across);
     if (in_place.info() != Eigen::Success) return false;
     change_.resize(pushing_.size());

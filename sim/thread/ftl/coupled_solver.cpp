@@ -139,19 +139,20 @@ void CoupledSolver::collect(State& state, const LengthSolver& lengths) {
     for (PushedRow& row : rows) measure_effects(state, lengths, row);
 }
 
-// Times a slip across the normal: the push that would undo it, if `own` is how the points give way to pushes. A strand
-// gives way easily across itself and hardly along itself. A matrix of a plane's two axes has the inverse (trace -
+// Times a slip across the normal: the push that would undo it, if `own` is the compliance of its points. A strand is
+// compliant across itself and hardly along itself. A matrix of a plane's two axes has the inverse (trace -
 // itself) / determinant: of no axes but the scene's, so that a mirrored knot pushes alike to the last bit.
 static Mat3 push_against(const Vec3& normal, const Mat3& own, double least) {
-    const Mat3 across = Mat3::Identity() - normal * normal.transpose(), gives = across * own * across + least * across;
-    const double trace = gives.trace(), determinant = 0.5 * (trace * trace - gives.squaredNorm());
-    return (gives - trace * across) / determinant;
+    const Mat3 across = Mat3::Identity() - normal * normal.transpose(),
+               compliance = across * own * across + least * across;
+    const double trace = compliance.trace(), determinant = 0.5 * (trace * trace - compliance.squaredNorm());
+    return (compliance - trace * across) / determinant;
 }
 
 void CoupledSolver::measure_own(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
     PushedRow& row = pushed_[c];
     row.own = responses.block<3, 3>(axes(c), axes(c));
-    // However long the strand that must come along: all of it gives way by no less than this.
+    // However long the strand that must come along: all of it has no less compliance than this.
     const double least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
     row.mobility = std::max(least, row.row->normal.dot(row.own * row.row->normal));
     row.against = push_against(row.row->normal, row.own, least);

@@ -48,7 +48,7 @@ class CoupledSolver {
         std::array<int, 8> place{};  // where those links are among all that rows touch
         int links = 0;
         Vec3 apart = Vec3::Zero();     // before all pushes [m]
-        Eigen::Matrix3d own = {};      // how its points give way to pushes on themselves
+        Eigen::Matrix3d own = {};      // compliance of its points to pushes on themselves
         double mobility = 0;           // the same, along the normal
         Eigen::Matrix3d against = {};  // times a slip: the push that undoes it
     };

@@ -14,7 +14,7 @@ double resolve_contacts(State& state);
 double over_goal(const State& state, const Row& row, double distance);
 /// Moves the nodes of a row by a push on its points.
 void push_apart(State& state, const Row& row, const Vec3& push);
-/// Projected Gauss-Seidel on one row whose points are `apart` [m] and give way by `mobility` to a unit push along the
+/// Projected Gauss-Seidel on one row whose points are `apart` [m] and move by `mobility` for a unit push along the
 /// normal: the push never pulls. Pushes are totals of the substep, so they do not depend on how many passes are made or
 /// how long a tick is; returned is what they gained.
 double add_normal_push(Row& row, const Vec3& apart, double mobility);

@@ -104,7 +104,7 @@ double ThreadInTube::draw(bool by_lead, double way, double load) {
                       .loads = def_.is_elastic ? std::span<const Vec3>(loads_) : std::span<const Vec3>(),
                       .surface_moved = moved_,
                       .soft_from = 0,
-                      .soft_give = scenarios::world::wall_compliance});
+                      .soft_compliance = scenarios::world::wall_compliance});
     passes_ += report.pass_throughs;
     const double gone = onwards.dot(thread_.nodes()[static_cast<std::size_t>(held[0])] - at);
     constexpr int turns = 2;  // ticks a step of the tissue

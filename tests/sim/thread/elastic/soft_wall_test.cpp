@@ -17,7 +17,7 @@ using sim::thread::Thread;
 using sim::thread::Vec3;
 
 constexpr double radius = 0.0425e-3, far = 0.1;  // [m]
-constexpr double wall_gives = 1e-3;              // [m/N]: what the strand takes a wall for at each place
+constexpr double wall_compliance = 1e-3;              // [m/N]: what the strand takes a wall for at each place
 
 std::vector<Vec3> strand(int links, double link) {
     std::vector<Vec3> points;
@@ -65,7 +65,7 @@ struct Vice {
                      .surface_moved = moved,
                      .sheathed = {},
                      .soft_from = 0,
-                     .soft_give = wall_gives});
+                     .soft_compliance = wall_compliance});
         std::array<double, 2> pushed{}, deeper{}, places{};
         for (const auto& force : thread.surface_forces()) {
             const std::size_t k = static_cast<std::size_t>(force.triangle) / half;
@@ -77,7 +77,7 @@ struct Vice {
             if (pushed[k] > 0) deeper[k] /= pushed[k];
             // Implicitly, against its spring and what it takes the strand for, from where that is; nearer by no more
             // than it may.
-            const double reckoned = std::max(5000.0, places[k] / wall_gives);  // [N/m]
+            const double reckoned = std::max(5000.0, places[k] / wall_compliance);  // [N/m]
             const double way = (pushed[k] + reckoned * deeper[k] - def.squeeze - def.spring * (out[k] - radius)) /
                                (def.spring + reckoned);
             const double goes = std::max(way, -0.45 * std::max(0.0, out[k] - 0.6 * radius));
