@@ -17,7 +17,7 @@ using sim::thread::Thread;
 using sim::thread::Vec3;
 
 constexpr double radius = 0.0425e-3, far = 0.1;  // [m]
-constexpr double wall_compliance = 1e-3;              // [m/N]: what the strand takes a wall for at each place
+constexpr double wall_compliance = 1e-3;         // [m/N]: what the strand takes a wall for at each place
 
 std::vector<Vec3> strand(int links, double link) {
     std::vector<Vec3> points;
