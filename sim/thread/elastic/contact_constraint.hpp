@@ -32,7 +32,7 @@ struct ContactConstraint {
     Pair pair;                   ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< First axis of each of those nodes among all that touch.
     std::array<int, 2> piece{-1, -1};     ///< Pieces of the thread that it touches; none: -1.
-    std::size_t answers = 0;              ///< Number of the list of contacts that respond to its pushes.
+    std::size_t coupled = 0;              ///< Number of the list of contacts that move when it pushes.
 };
 
 /// All contacts of a step, or of an island.

@@ -8,7 +8,7 @@
 #include "sim/thread/contact/rows.hpp"
 
 // What an elastic thread touches, solved together with it: one contact after the other pushes as Coulomb wants it,
-// against how the points of all answer (Gauss and Seidel on the rod's inverse at the nodes that touch).
+// against how the points of all move (Gauss and Seidel on the rod's inverse at the nodes that touch).
 namespace sim::thread::elastic {
 
 using geometry::Lane;
@@ -26,9 +26,10 @@ static Vec3 push_of(const ContactConstraint& contact, const Vec3& lacks) {
 }
 
 // Its compliance to its own push.
-static void measure_own(ContactConstraint& contact, const Mat3& responses) {
+static void measure_own(ContactConstraint& contact, const Mat3& diagonal_block) {
     const Vec3& n = contact.normal;
-    const Mat3 own = responses + contact.compliance * Mat3::Identity(), along = Mat3::Identity() - n * n.transpose();
+    const Mat3 own = diagonal_block + contact.compliance * Mat3::Identity(),
+               along = Mat3::Identity() - n * n.transpose();
     contact.across = own * n;
     contact.own_compliance = n.dot(contact.across);
     contact.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
@@ -50,14 +51,14 @@ static void find_apart(const State& state, ContactSet& set) {
     }
 }
 
-void push_more(ContactSet& set, const Responses& responses, std::size_t c, const Vec3& more) {
+void push_more(ContactSet& set, const DelassusMatrix& delassus, std::size_t c, const Vec3& more) {
     set.contacts[c].push += more;
-    const double* const x = responses.row(c, 0);
-    const double* const y = responses.row(c, 1);
-    const double* const z = responses.row(c, 2);
+    const double* const x = delassus.row(c, 0);
+    const double* const y = delassus.row(c, 1);
+    const double* const z = delassus.row(c, 2);
     const double along_x = more.x(), along_y = more.y(), along_z = more.z();
     double* const apart = set.apart.data();
-    for (const Run& run : responses.answers_to(set.contacts[c])) {
+    for (const Run& run : delassus.coupled_with(set.contacts[c])) {
         const std::size_t past = 3 * run.past;
         std::size_t i = 3 * run.first;
         for (; i + 4 <= past; i += 4)
@@ -77,7 +78,7 @@ double ContactSolver::sweep(ContactSet& set) const {
         if (contact.push.squaredNorm() == 0 && lacks.dot(contact.normal) <= 0) continue;  // as half of them
         const Vec3 push = push_of(contact, lacks), more = push - contact.push;
         changed += more.squaredNorm(), all += push.squaredNorm();
-        if (more.squaredNorm() > 0) push_more(set, responses_, c, more);
+        if (more.squaredNorm() > 0) push_more(set, delassus_, c, more);
     }
     return all > 0 ? std::sqrt(changed / all) : 0;
 }
@@ -125,11 +126,11 @@ int ContactSolver::sweep_until_still(ContactSet& set) {
 
 int ContactSolver::solve(State& state, ContactSet& set, const Pieces& pieces) {
     if (set.contacts.empty()) return 0;
-    responses_.measure(state, set.contacts, pieces);
+    delassus_.measure(state, set.contacts, pieces);
     find_apart(state, set);
-    for (std::size_t c = 0; c < set.contacts.size(); ++c) measure_own(set.contacts[c], responses_.block(c, c));
+    for (std::size_t c = 0; c < set.contacts.size(); ++c) measure_own(set.contacts[c], delassus_.block(c, c));
     const int sweeps = sweep_until_still(set);
-    normals_.part(set, responses_, state.def.radius);
+    normals_.part(set, delassus_, state.def.radius);
     return sweeps;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "sim/thread/elastic/responses.hpp"
+#include "sim/thread/elastic/delassus_matrix.hpp"
 
 namespace sim::thread::elastic {
 
 /// Pushes contact c by `more` [N] than it does, and moves the points of all. O(contacts that share a piece with it).
-void push_more(ContactSet& set, const Responses& responses, std::size_t c, const Vec3& more);
+void push_more(ContactSet& set, const DelassusMatrix& delassus, std::size_t c, const Vec3& more);
 
 /// The normal forces of all contacts together: a linear complementarity problem, by block principal pivoting.
 class NormalSolver {
@@ -14,14 +14,14 @@ class NormalSolver {
     /// Where sweeps left a contact a hundredth of a thickness nearer than it would be: finds what all push across, to
     /// rounding, with what they drag as it is but within its cone. It costs a Cholesky factorisation of the contacts
     /// that push for each change of the set. `radius`: of the thread [m].
-    void part(ContactSet& set, const Responses& responses, double radius);
+    void part(ContactSet& set, const DelassusMatrix& delassus, double radius);
 
   private:
-    Eigen::Map<contact::Table::Matrix> responses_across(const ContactSet& set, const Responses& responses);
-    bool solve_pushing(ContactSet& set, const Responses& responses);
-    bool settle_across(ContactSet& set, const Responses& responses, double near);
+    Eigen::Map<contact::Table::Matrix> delassus_across(const ContactSet& set, const DelassusMatrix& delassus);
+    bool solve_pushing(ContactSet& set, const DelassusMatrix& delassus);
+    bool settle_across(ContactSet& set, const DelassusMatrix& delassus, double near);
     void find_wrong(const ContactSet& set, double near);
-    void change_wrong(ContactSet& set, const Responses& responses);
+    void change_wrong(ContactSet& set, const DelassusMatrix& delassus);
 
     std::vector<int> pushing_;    // contacts that push, increasing
     std::vector<int> wrong_;      // contacts that pull, or are too near and do not push
@@ -41,7 +41,7 @@ class ContactSolver {
     void carry_on(ContactSet& set, double again);
     int sweep_until_still(ContactSet& set);
 
-    Responses responses_;
+    DelassusMatrix delassus_;
     NormalSolver normals_;
     std::vector<double> apart_before_;  // ContactSet::apart as a sweep began
     std::vector<double> apart_way_;     // where sweeps lead

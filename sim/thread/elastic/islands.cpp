@@ -4,7 +4,7 @@
 #include "sim/geometry/at.hpp"
 #include "sim/thread/elastic/contact_solver.hpp"
 
-// Pieces of a cut thread that do not touch do not answer to each other's pushes. Each island of those that do is solved
+// Pieces of a cut thread that do not touch do not move for each other's pushes. Each island of those that do is solved
 // by itself: work is quadratic in the contacts solved together, and a stitch that is tied is of no concern to the next.
 namespace sim::thread::elastic {
 

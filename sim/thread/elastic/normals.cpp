@@ -33,29 +33,29 @@ bool share_piece(const ContactConstraint& a, const ContactConstraint& b) {
 }
 
 // What does not push any more drags nothing either.
-void let_go(ContactSet& set, const Responses& responses, std::size_t c) {
+void let_go(ContactSet& set, const DelassusMatrix& delassus, std::size_t c) {
     const Vec3 push = set.contacts[c].push;
-    if (push.squaredNorm() > 0) push_more(set, responses, c, -push);
+    if (push.squaredNorm() > 0) push_more(set, delassus, c, -push);
 }
 
-void drag_within_cone(ContactSet& set, const Responses& responses) {
+void drag_within_cone(ContactSet& set, const DelassusMatrix& delassus) {
     for (std::size_t c = 0; c < set.contacts.size(); ++c) {
         const ContactConstraint& contact = set.contacts[c];
         const double normal = normal_push(contact), most = contact.friction * std::max(0.0, normal);
         const Vec3 drag = contact.push - normal * contact.normal;
-        if (const double size = drag.norm(); size > most) push_more(set, responses, c, (most / size - 1) * drag);
+        if (const double size = drag.norm(); size > most) push_more(set, delassus, c, (most / size - 1) * drag);
     }
 }
 
-void take_back(ContactSet& set, const Responses& responses) {
+void take_back(ContactSet& set, const DelassusMatrix& delassus) {
     for (std::size_t c = 0; c < set.contacts.size(); ++c)
-        push_more(set, responses, c, set.contacts[c].before - set.contacts[c].push);
+        push_more(set, delassus, c, set.contacts[c].before - set.contacts[c].push);
 }
 
 }  // namespace
 
 // How contacts that push part for unit pushes across.
-Matrix NormalSolver::responses_across(const ContactSet& set, const Responses& responses) {
+Matrix NormalSolver::delassus_across(const ContactSet& set, const DelassusMatrix& delassus) {
     const std::vector<int>& pushing = pushing_;
     const auto size = static_cast<Eigen::Index>(pushing.size());
     Matrix across = across_.resized(size, size);
@@ -64,7 +64,7 @@ Matrix NormalSolver::responses_across(const ContactSet& set, const Responses& re
         for (Eigen::Index j = 0; j <= i; ++j) {
             const auto d = static_cast<std::size_t>(pushing[static_cast<std::size_t>(j)]);
             across(i, j) = share_piece(set.contacts[c], set.contacts[d])
-                               ? set.contacts[c].normal.dot(responses.block(c, d) * set.contacts[d].normal)
+                               ? set.contacts[c].normal.dot(delassus.block(c, d) * set.contacts[d].normal)
                                : 0;
         }
     }
@@ -72,11 +72,11 @@ Matrix NormalSolver::responses_across(const ContactSet& set, const Responses& re
 }
 
 // All that push do so as if they could pull as well.
-bool NormalSolver::solve_pushing(ContactSet& set, const Responses& responses) {
+bool NormalSolver::solve_pushing(ContactSet& set, const DelassusMatrix& delassus) {
     if (pushing_.empty()) return true;
     constexpr double softer =
         1e-3;  // than they are, as contacts of the same strand at nearly the same place tell nearly the same
-    Matrix across = responses_across(set, responses);
+    Matrix across = delassus_across(set, delassus);
     const double more = softer * across.diagonal().mean();
     for (Eigen::Index i = 0; i < across.rows(); ++i)
         across(i, i) += set.contacts[at(pushing_[at(i)])].compliance + more;
@@ -89,7 +89,7 @@ bool NormalSolver::solve_pushing(ContactSet& set, const Responses& responses) {
     across.transpose().triangularView<Eigen::Upper>().solveInPlace(change);
     for (std::size_t i = 0; i < pushing_.size(); ++i) {
         const auto c = static_cast<std::size_t>(pushing_[i]);
-        push_more(set, responses, c, change_[i] * set.contacts[c].normal);
+        push_more(set, delassus, c, change_[i] * set.contacts[c].normal);
     }
     return true;
 }
@@ -103,12 +103,12 @@ void NormalSolver::find_wrong(const ContactSet& set, double near) {
 }
 
 // What is wrong changes sides.
-void NormalSolver::change_wrong(ContactSet& set, const Responses& responses) {
+void NormalSolver::change_wrong(ContactSet& set, const DelassusMatrix& delassus) {
     for (const int c : wrong_) {
         const auto known = std::lower_bound(pushing_.begin(), pushing_.end(), c);
         if (known != pushing_.end() && *known == c) {
             pushing_.erase(known);
-            let_go(set, responses, static_cast<std::size_t>(c));
+            let_go(set, delassus, static_cast<std::size_t>(c));
         } else {
             pushing_.insert(known, c);
         }
@@ -116,11 +116,11 @@ void NormalSolver::change_wrong(ContactSet& set, const Responses& responses) {
 }
 
 // Until none pulls and none is too near.
-bool NormalSolver::settle_across(ContactSet& set, const Responses& responses, double near) {
+bool NormalSolver::settle_across(ContactSet& set, const DelassusMatrix& delassus, double near) {
     constexpr int patience = 3, most = 30;
     std::size_t least = set.contacts.size() + 1;
     int left = patience;
-    for (int turn = 0; turn < most && solve_pushing(set, responses); ++turn) {
+    for (int turn = 0; turn < most && solve_pushing(set, delassus); ++turn) {
         find_wrong(set, near);
         if (wrong_.empty()) return true;
         if (wrong_.size() < least) {
@@ -129,12 +129,12 @@ bool NormalSolver::settle_across(ContactSet& set, const Responses& responses, do
         } else if (--left < 0) {
             wrong_.assign(1, wrong_.back());  // one at a time ends for sure
         }
-        change_wrong(set, responses);
+        change_wrong(set, delassus);
     }
     return false;
 }
 
-void NormalSolver::part(ContactSet& set, const Responses& responses, double radius) {
+void NormalSolver::part(ContactSet& set, const DelassusMatrix& delassus, double radius) {
     constexpr int rounds = 2;  // of pushes across and drags within what those allow
     const double near = 1e-2 * 2 * radius;
     const auto is_too_near = [&](std::size_t c) { return lacks(set, c) > near; };
@@ -147,8 +147,8 @@ void NormalSolver::part(ContactSet& set, const Responses& responses, double radi
         if (normal_push(set.contacts[c]) > 0) pushing_.push_back(static_cast<int>(c));
     }
     for (int round = 0; round < rounds; ++round) {
-        if (!settle_across(set, responses, near)) return take_back(set, responses);
-        if (round + 1 < rounds) drag_within_cone(set, responses);
+        if (!settle_across(set, delassus, near)) return take_back(set, delassus);
+        if (round + 1 < rounds) drag_within_cone(set, delassus);
     }
 }
 

@@ -17,7 +17,7 @@ using Mat3 = Eigen::Matrix3d;
 
 CoupledSolver::CoupledSolver(std::size_t most_links) {
     pushed_.reserve(8 * most_links);
-    responses_.resized(3 * most_rows, 3 * most_rows);
+    delassus_.resized(3 * most_rows, 3 * most_rows);
     for (Table* of_links : {&effects_, &answers_}) of_links->resized(8 * most_rows, 3 * most_rows);
     touched_.reserve(8 * most_rows);
     inverse_.reserve(8 * most_rows);
@@ -106,7 +106,7 @@ void CoupledSolver::find_answers() {
 }
 
 // What a push at `row` does to the points of every row from it on where they share nodes.
-void CoupledSolver::add_direct(const State& state, std::size_t d, Eigen::Map<Table::Matrix>& responses) {
+void CoupledSolver::add_direct(const State& state, std::size_t d, Eigen::Map<Table::Matrix>& delassus) {
     const std::vector<PushedRow>& rows = pushed_;
     std::vector<double>& weight_at = weight_at_;
     for (int i = 0; i < rows[d].nodes; ++i)
@@ -114,7 +114,7 @@ void CoupledSolver::add_direct(const State& state, std::size_t d, Eigen::Map<Tab
     for (std::size_t c = d; c < rows.size(); ++c) {
         double direct = 0;
         for (int i = 0; i < rows[c].nodes; ++i) direct += weight_at[at(rows[c].node[at(i)])] * rows[c].weight[at(i)];
-        if (direct != 0) responses.block<3, 3>(axes(d), axes(c)).diagonal().array() += direct;
+        if (direct != 0) delassus.block<3, 3>(axes(d), axes(c)).diagonal().array() += direct;
     }
     for (int i = 0; i < rows[d].nodes; ++i) weight_at[at(rows[d].node[at(i)])] = 0;
 }
@@ -149,18 +149,19 @@ static Mat3 push_against(const Vec3& normal, const Mat3& own, double least) {
     return (compliance - trace * across) / determinant;
 }
 
-void CoupledSolver::measure_own(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
+void CoupledSolver::measure_diagonal_block(const State& state, std::size_t c,
+                                           const Eigen::Map<Table::Matrix>& delassus) {
     PushedRow& row = pushed_[c];
-    row.own = responses.block<3, 3>(axes(c), axes(c));
+    row.diagonal_block = delassus.block<3, 3>(axes(c), axes(c));
     // However long the strand that must come along: all of it has no less compliance than this.
     const double least = row.row->mobility / (10.0 * static_cast<double>(state.nodes.size()));
-    row.mobility = std::max(least, row.row->normal.dot(row.own * row.row->normal));
-    row.against = push_against(row.row->normal, row.own, least);
+    row.mobility = std::max(least, row.row->normal.dot(row.diagonal_block * row.row->normal));
+    row.against = push_against(row.row->normal, row.diagonal_block, least);
 }
 
 // How far the points of each row move apart for a unit push at each other if all links keep their lengths. Symmetric:
 // what a push at one row does to another, it does in return.
-void CoupledSolver::measure_responses(const State& state, const LengthSolver& lengths) {
+void CoupledSolver::measure_delassus(const State& state, const LengthSolver& lengths) {
     const std::vector<PushedRow>& rows = pushed_;
     const Eigen::Index columns = axes(rows.size());
     pushes_.setZero(columns);
@@ -168,37 +169,37 @@ void CoupledSolver::measure_responses(const State& state, const LengthSolver& le
     invert_lengths(state, lengths);
     find_answers();
     const auto answers = answers_.resized(static_cast<Eigen::Index>(inverse_.size()), columns);
-    auto responses = responses_.resized(columns, columns);
-    responses.setZero();
+    auto delassus = delassus_.resized(columns, columns);
+    delassus.setZero();
     for (std::size_t d = 0; d < rows.size(); ++d) {
         const Eigen::Index others = columns - axes(d);
         for (int i = 0; i < rows[d].links; ++i)
-            responses.block<3, Eigen::Dynamic>(axes(d), axes(d), 3, others).noalias() -=
+            delassus.block<3, Eigen::Dynamic>(axes(d), axes(d), 3, others).noalias() -=
                 rows[d].effect[at(i)] * answers.row(rows[d].place[at(i)]).tail(others);
-        add_direct(state, d, responses);
+        add_direct(state, d, delassus);
         for (std::size_t c = 0; c < d; ++c)
-            responses.block<3, 3>(axes(d), axes(c)) = responses.block<3, 3>(axes(c), axes(d)).transpose();
-        measure_own(state, d, responses);
+            delassus.block<3, 3>(axes(d), axes(c)) = delassus.block<3, 3>(axes(c), axes(d)).transpose();
+        measure_diagonal_block(state, d, delassus);
     }
 }
 
 // One row of a sweep; returns its overlap before, 1 where it is small enough.
-double CoupledSolver::push(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses) {
+double CoupledSolver::push(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& delassus) {
     const PushedRow& pushed = pushed_[c];
     Row& row = *pushed.row;
-    const Vec3 apart = pushed.apart + responses.middleRows<3>(axes(c)) * pushes_;
+    const Vec3 apart = pushed.apart + delassus.middleRows<3>(axes(c)) * pushes_;
     const double distance = apart.dot(row.normal);
     if (distance >= row.target && row.normal_push == 0) return 0;
     const Vec3 normal = add_normal_push(row, apart, pushed.mobility) * row.normal;
-    const Vec3 slip = contact::slip_of(row, apart + pushed.own * normal);
+    const Vec3 slip = contact::slip_of(row, apart + pushed.diagonal_block * normal);
     pushes_.segment<3>(axes(c)) += normal + add_tangent_push(row, slip, pushed.against * slip);
     return std::max(over_goal(state, row, distance), row.slip / (slip_goal * 2 * state.def.radius));
 }
 
 double CoupledSolver::sweep(const State& state) {
-    const auto responses = responses_.resized(pushes_.size(), pushes_.size());
+    const auto delassus = delassus_.resized(pushes_.size(), pushes_.size());
     double worst = 0;
-    for (std::size_t c = 0; c < pushed_.size(); ++c) worst = std::max(worst, push(state, c, responses));
+    for (std::size_t c = 0; c < pushed_.size(); ++c) worst = std::max(worst, push(state, c, delassus));
     return worst;
 }
 
@@ -280,15 +281,15 @@ void CoupledSolver::move_by_pushes(State& state, const LengthSolver& lengths) {
 
 double CoupledSolver::solve(State& state, const LengthSolver& lengths) {
     collect(state, lengths);
-    measure_responses(state, lengths);
+    measure_delassus(state, lengths);
     const double worst = solve_pushes(state);
     move_by_pushes(state, lengths);
     return worst;
 }
 
 Vec3 CoupledSolver::foreseen(std::size_t c) {
-    const auto responses = responses_.resized(pushes_.size(), pushes_.size());
-    return pushed_[c].apart + responses.middleRows<3>(axes(c)) * pushes_;
+    const auto delassus = delassus_.resized(pushes_.size(), pushes_.size());
+    return pushed_[c].apart + delassus.middleRows<3>(axes(c)) * pushes_;
 }
 
 }  // namespace sim::thread::ftl

@@ -47,10 +47,10 @@ class CoupledSolver {
         std::array<Vec3, 8> effect{};
         std::array<int, 8> place{};  // where those links are among all that rows touch
         int links = 0;
-        Vec3 apart = Vec3::Zero();     // before all pushes [m]
-        Eigen::Matrix3d own = {};      // compliance of its points to pushes on themselves
-        double mobility = 0;           // the same, along the normal
-        Eigen::Matrix3d against = {};  // times a slip: the push that undoes it
+        Vec3 apart = Vec3::Zero();            // before all pushes [m]
+        Eigen::Matrix3d diagonal_block = {};  // its block of the Delassus matrix
+        double mobility = 0;                  // the same, along the normal
+        Eigen::Matrix3d against = {};         // times a slip: the push that undoes it
     };
     /// Of the inverse of the lengths' matrix at a link: its diagonal, and the share of an answer that reaches from it
     /// to the next such link.
@@ -63,10 +63,10 @@ class CoupledSolver {
     void measure_effects(const State& state, const LengthSolver& lengths, PushedRow& out) const;
     void invert_lengths(const State& state, const LengthSolver& lengths);
     void find_answers();
-    void add_direct(const State& state, std::size_t d, Eigen::Map<Table::Matrix>& responses);
-    void measure_own(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses);
-    void measure_responses(const State& state, const LengthSolver& lengths);
-    double push(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& responses);
+    void add_direct(const State& state, std::size_t d, Eigen::Map<Table::Matrix>& delassus);
+    void measure_diagonal_block(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& delassus);
+    void measure_delassus(const State& state, const LengthSolver& lengths);
+    double push(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& delassus);
     double sweep(const State& state);
     void go_on_by(double again);
     double solve_pushes(const State& state);
@@ -77,7 +77,7 @@ class CoupledSolver {
     PerAxis<Eigen::Dynamic, 1> pushes_before_;  // as a sweep began
     PerAxis<Eigen::Dynamic, 1> gain_;           // of a sweep
     PerAxis<Eigen::Dynamic, 1> way_;            // where sweeps lead
-    Table responses_;                           // how far points move apart for unit pushes
+    Table delassus_;                            // the Delassus matrix: how far points move apart for unit pushes
     Table effects_, answers_;                   // of unit pushes on lengths, and of the lengths' multipliers to those
     PerAxis<1, Eigen::Dynamic> answer_from_left_;
     std::vector<double> weight_at_;  // per node; 0 between uses

@@ -133,7 +133,7 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         std::mt19937 random(seed);
         Cut cut(random);
         ContactSet& set = cut.set;
-        sim::thread::elastic::Responses responses;
+        sim::thread::elastic::DelassusMatrix responses;
         const int last = seed % 2 ? 1 : 2;  // the third piece touches nothing, or itself alone
         for (int i = 0; i < 30; ++i) {
             const int piece = static_cast<int>(random() % static_cast<unsigned>(last + 1));
@@ -145,7 +145,7 @@ TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
         responses.measure(cut.state, set.contacts, cut.all);
         const Eigen::MatrixXd ways = cut.ways(), expected = ways * cut.inverse * ways.transpose();
         for (std::size_t d = 0; d < count; ++d)
-            for (const sim::thread::elastic::Run& run : responses.answers_to(set.contacts[d])) {
+            for (const sim::thread::elastic::Run& run : responses.coupled_with(set.contacts[d])) {
                 for (std::size_t c = run.first; c < run.past; ++c)
                     ASSERT_LT((responses.block(d, c) - expected.block<3, 3>(sim::axes(d), sim::axes(c)))
                                   .cwiseAbs()

@@ -17,7 +17,7 @@ struct Pieces {
 };
 
 /// The Delassus matrix of the contacts: how far apart a unit push at each moves the points of every other [m/N].
-class Responses {
+class DelassusMatrix {
   public:
     /// Three rows and columns of the matrix, seen in place.
     using Block = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<>>;
@@ -27,12 +27,12 @@ class Responses {
 
     /// Measures the matrix of these contacts with the rod's inverse at the nodes that they touch; O(m n + m^2) for m
     /// contacts that touch n nodes. Where contacts share no piece of the thread nothing is written. Tells each contact
-    /// where its list of answers_to() is.
+    /// where its list of those that move with it is.
     void measure(State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces);
 
     /// The contacts that move when one pushes, increasing: those that share a piece of thread with it, itself among
     /// them unless nothing moves.
-    std::span<const Run> answers_to(const ContactConstraint& contact) const;
+    std::span<const Run> coupled_with(const ContactConstraint& contact) const;
     /// How the points of contact c move for pushes at contact d, where they share a piece [m/N]; valid until the next
     /// measure(). By rows, as the whole matrix is: Eigen sums the other way round by columns, to other last bits.
     Block block(std::size_t c, std::size_t d) const;
@@ -44,8 +44,8 @@ class Responses {
   private:
     void find_touching(const std::vector<ContactConstraint>& contacts);
     void find_places(const State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces);
-    void add_answers(const std::vector<ContactConstraint>& contacts, const std::array<int, 2>& pieces);
-    void find_answers(std::vector<ContactConstraint>& contacts, const Pieces& pieces);
+    void add_coupled(const std::vector<ContactConstraint>& contacts, const std::array<int, 2>& pieces);
+    void find_coupled(std::vector<ContactConstraint>& contacts, const Pieces& pieces);
     void find_inverses(State& state, const Pieces& pieces);
     void find_moves(const ContactConstraint& contact, Eigen::Index axis);
     void forget_moves(const ContactConstraint& contact);
@@ -58,8 +58,8 @@ class Responses {
     std::vector<std::size_t> first_touching_;  // of each piece, among what touches; past the last its end
     std::vector<double> inverses_;  // ChainMatrix::inverse_at each piece's nodes that touch, one after the other
     std::vector<std::size_t> first_inverse_;  // where each begins
-    std::vector<Run> answering_;              // lists of contacts that answer to others' pushes, in runs
-    std::vector<std::size_t> first_answer_;   // where each list begins
+    std::vector<Run> coupled_;                // lists of contacts that move together, in runs
+    std::vector<std::size_t> first_coupled_;  // where each list begins
     std::vector<double> moves_;               // of what touches, for a unit push at one contact along one axis [m/N]
 };
 

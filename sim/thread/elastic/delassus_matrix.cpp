@@ -1,4 +1,4 @@
-#include "sim/thread/elastic/responses.hpp"
+#include "sim/thread/elastic/delassus_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "sim/geometry/lane.hpp"
 
 // The Delassus matrix W = J A^-1 J^T of the contacts' Jacobian J and the rod's band matrix A, by the columns of A^-1 at
-// the nodes that touch, not by a solve a contact: a knot's contacts share nodes. Pieces of a cut thread answer each by
-// itself.
+// the nodes that touch, not by a solve a contact: a knot's contacts share nodes. Each piece of a cut thread
+// moves by itself.
 
 namespace sim::thread::elastic {
 
@@ -38,17 +38,17 @@ void Pieces::find(const State& state) {
     count = at(of_node.back() + 1);
 }
 
-void Responses::reserve(std::size_t contacts, std::size_t nodes) {
+void DelassusMatrix::reserve(std::size_t contacts, std::size_t nodes) {
     constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
     table_.reserve(9 * contacts * contacts, unwritten);
     inverses_.assign(9 * nodes * nodes, unwritten);
 }
 
-Responses::Block Responses::block(std::size_t c, std::size_t d) const {
+DelassusMatrix::Block DelassusMatrix::block(std::size_t c, std::size_t d) const {
     return Block(table_.data() + axes(c) * size_ + axes(d), Eigen::OuterStride<>(size_));
 }
 
-void Responses::find_touching(const std::vector<ContactConstraint>& contacts) {
+void DelassusMatrix::find_touching(const std::vector<ContactConstraint>& contacts) {
     touching_.clear();
     for (const ContactConstraint& contact : contacts)
         touching_.insert(touching_.end(), contact.pair.node.begin(), contact.pair.node.begin() + contact.pair.nodes);
@@ -57,7 +57,7 @@ void Responses::find_touching(const std::vector<ContactConstraint>& contacts) {
 }
 
 // Where each contact's nodes begin among those that touch, three axes each, and of which pieces they are.
-void Responses::find_places(const State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces) {
+void DelassusMatrix::find_places(const State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces) {
     place_.resize(state.nodes.size());
     first_touching_.assign(pieces.count + 1, 0);
     for (std::size_t k = 0; k < touching_.size(); ++k) {
@@ -77,49 +77,49 @@ void Responses::find_places(const State& state, std::vector<ContactConstraint>& 
 }
 
 // The contacts that are of one of two pieces, or of one.
-void Responses::add_answers(const std::vector<ContactConstraint>& contacts, const std::array<int, 2>& pieces) {
+void DelassusMatrix::add_coupled(const std::vector<ContactConstraint>& contacts, const std::array<int, 2>& pieces) {
     const auto is_one = [&](int piece) { return piece >= 0 && (piece == pieces[0] || piece == pieces[1]); };
-    const std::size_t first = answering_.size();
+    const std::size_t first = coupled_.size();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         if (!is_one(contacts[c].piece[0]) && !is_one(contacts[c].piece[1])) continue;
-        if (answering_.size() > first && answering_.back().past == c)
-            ++answering_.back().past;
+        if (coupled_.size() > first && coupled_.back().past == c)
+            ++coupled_.back().past;
         else
-            answering_.push_back({c, c + 1});
+            coupled_.push_back({c, c + 1});
     }
-    first_answer_.push_back(answering_.size());
+    first_coupled_.push_back(coupled_.size());
 }
 
 // None to a contact that nothing moves, those of each piece, then of each contact between two.
-void Responses::find_answers(std::vector<ContactConstraint>& contacts, const Pieces& all) {
-    first_answer_.assign(2, 0), answering_.clear();
-    for (std::size_t piece = 0; piece < all.count; ++piece) add_answers(contacts, {static_cast<int>(piece), -1});
+void DelassusMatrix::find_coupled(std::vector<ContactConstraint>& contacts, const Pieces& all) {
+    first_coupled_.assign(2, 0), coupled_.clear();
+    for (std::size_t piece = 0; piece < all.count; ++piece) add_coupled(contacts, {static_cast<int>(piece), -1});
     for (ContactConstraint& contact : contacts) {
-        contact.answers = static_cast<std::size_t>(contact.piece[0] + 1);
+        contact.coupled = static_cast<std::size_t>(contact.piece[0] + 1);
         if (contact.piece[0] == contact.piece[1]) continue;
-        contact.answers = first_answer_.size() - 1;
-        add_answers(contacts, contact.piece);
+        contact.coupled = first_coupled_.size() - 1;
+        add_coupled(contacts, contact.piece);
     }
 }
 
-std::span<const Run> Responses::answers_to(const ContactConstraint& contact) const {
-    const std::size_t list = contact.answers;
-    return std::span(answering_).subspan(first_answer_[list], first_answer_[list + 1] - first_answer_[list]);
+std::span<const Run> DelassusMatrix::coupled_with(const ContactConstraint& contact) const {
+    const std::size_t list = contact.coupled;
+    return std::span(coupled_).subspan(first_coupled_[list], first_coupled_[list + 1] - first_coupled_[list]);
 }
 
 // It is symmetric: what is beyond the diagonal was found.
-void Responses::mirror(const std::vector<ContactConstraint>& contacts) {
+void DelassusMatrix::mirror(const std::vector<ContactConstraint>& contacts) {
     auto matrix = table_.resized(size_, size_);
     for (std::size_t d = 0; d < contacts.size(); ++d) {
         matrix.block<3, 3>(axes(d), axes(d)).transposeInPlace();
-        for (const Run& run : answers_to(contacts[d]))
+        for (const Run& run : coupled_with(contacts[d]))
             for (std::size_t c = std::max(run.first, d + 1); c < run.past; ++c)
                 matrix.block<3, 3>(axes(c), axes(d)) = matrix.block<3, 3>(axes(d), axes(c)).transpose();
     }
 }
 
 // Of each piece by itself: pieces know nothing of each other.
-void Responses::find_inverses(State& state, const Pieces& pieces) {
+void DelassusMatrix::find_inverses(State& state, const Pieces& pieces) {
     first_inverse_.assign(1, 0);
     const auto nodes_of = [&](std::size_t piece) {
         return std::span(touching_).subspan(first_touching_[piece],
@@ -148,7 +148,7 @@ static Weighing on_piece(const ContactConstraint& contact, Eigen::Index first, E
 }
 
 // How the nodes that touch, of a contact's pieces, move for a unit push of it along an axis.
-void Responses::find_moves(const ContactConstraint& contact, Eigen::Index axis) {
+void DelassusMatrix::find_moves(const ContactConstraint& contact, Eigen::Index axis) {
     const auto move = [&](std::size_t piece) {
         const Weighing weighing = on_piece(contact, axes(first_touching_[piece]),
                                            axes(first_touching_[piece + 1] - first_touching_[piece]), axis);
@@ -166,17 +166,17 @@ void Responses::find_moves(const ContactConstraint& contact, Eigen::Index axis) 
     if (high > low) move(at(high));
 }
 
-void Responses::forget_moves(const ContactConstraint& contact) {
+void DelassusMatrix::forget_moves(const ContactConstraint& contact) {
     for (const int piece : contact.piece)
         if (piece >= 0)
             std::fill(moves_.begin() + axes(first_touching_[at(piece)]),
                       moves_.begin() + axes(first_touching_[at(piece) + 1]), 0.0);
 }
 
-void Responses::measure(State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces) {
+void DelassusMatrix::measure(State& state, std::vector<ContactConstraint>& contacts, const Pieces& pieces) {
     find_touching(contacts);
     find_places(state, contacts, pieces);
-    find_answers(contacts, pieces);
+    find_coupled(contacts, pieces);
     find_inverses(state, pieces);
     size_ = axes(contacts.size());
     auto matrix = table_.resized(size_, size_);
@@ -186,7 +186,7 @@ void Responses::measure(State& state, std::vector<ContactConstraint>& contacts, 
             find_moves(contacts[d], a);
             double* const row = matrix.row(axes(d) + a).data();
             std::fill_n(row + 3 * d, 3, 0.0);  // where nothing moves
-            for (const Run& run : answers_to(contacts[d]))
+            for (const Run& run : coupled_with(contacts[d]))
                 for (std::size_t c = std::max(run.first, d); c < run.past; ++c)
                     Weighing{contacts[c].pair.weight, contacts[c].place}.from(moves_.data()).three_to(row + 3 * c);
         }
