@@ -24,8 +24,8 @@ class Hash {
     void add(const Row& row) {
         for (const double number :
              {double(row.against), double(row.link), double(row.other), row.thickness, row.friction, row.target, row.s,
-              row.t, row.distance, row.mobility, row.grip, row.grip_before, row.slip_before, double(row.glides),
-              double(row.pressed), row.slip, double(row.is_there_still)})
+              row.t, row.distance, row.mobility, row.friction_ratio, row.friction_ratio_before, row.slip_before,
+              double(row.in_wrap), double(row.pressed), row.slip, double(row.is_there_still)})
             add(number);
         for (const Vec3* v : {&row.normal, &row.start, &row.fixed, &row.began}) add(*v);
         add_pushes(row);
@@ -35,7 +35,7 @@ class Hash {
                                     c.measured_at, c.place, c.gap})
             add(number);
     }
-    void add(const ftl::Wrap& wrap) { add(wrap.grip), add(wrap.presses); }
+    void add(const ftl::Wrap& wrap) { add(wrap.friction_ratio), add(wrap.presses); }
     void add(const ftl::Pace& pace) {
         add(pace.trust);
         add(pace.refused_in_a_row);

@@ -56,13 +56,13 @@ struct Row {
     double mobility = 0;     ///< Distance gained by a unit push [1].
     double normal_push = 0;  ///< Along the normal, >= 0.
     Vec3 tangent_push = Vec3::Zero();  ///< Friction, across the normal.
-    double grip = 0;         ///< Follow-The-Leader: share of Coulomb's friction that a wrap on steel drags with, -1..1,
-                             ///< positive towards the thread's first node.
-    double grip_before = 0;  ///< Follow-The-Leader: the share that was tried before `grip`.
-    double slip_before = 0;  ///< Follow-The-Leader: how far the wrap slid with `grip_before` [m].
-    bool glides = false;     ///< Follow-The-Leader: part of a wrap on steel, whose pushes are found with the lengths.
-    bool pressed = false;    ///< Follow-The-Leader: pressed when the last substep ended, until this one is solved.
-    double slip = 0;         ///< How far friction that holds has let it slide, when last resolved [m].
+    double friction_ratio = 0;  ///< Follow-The-Leader: share of Coulomb's friction that a wrap on steel drags with,
+                                ///< -1..1, positive towards the thread's first node.
+    double friction_ratio_before = 0;  ///< Follow-The-Leader: the share that was tried before `friction_ratio`.
+    double slip_before = 0;            ///< Follow-The-Leader: how far the wrap slid with `friction_ratio_before` [m].
+    bool in_wrap = false;  ///< Follow-The-Leader: part of a wrap on steel, whose pushes are found with the lengths.
+    bool pressed = false;  ///< Follow-The-Leader: pressed when the last substep ended, until this one is solved.
+    double slip = 0;       ///< How far friction that holds has let it slide, when last resolved [m].
     bool is_there_still = false;  ///< Elastic: a contact of the last step that was found again in this one.
     Vec3 began = Vec3::Zero();    ///< Elastic: push() as the tick began [N].
 

@@ -33,31 +33,31 @@ bool presses(const State& state, const Row& row) {
 
 // Along a taut stretch of thread all slides or all holds: how much of Coulomb's friction it takes to hold is one
 // number, found by the secant method; more than all of it slides.
-void grip(State& state, std::span<const int> stretch) {
+void find_friction_ratio(State& state, std::span<const int> stretch) {
     const double still = 1e-3 * state.def.radius;
-    double pushes = 0, slip = 0, grip = 0, slip_before = 0, grip_before = 0;
+    double pushes = 0, slip = 0, ratio = 0, slip_before = 0, friction_ratio_before = 0;
     for (const int i : stretch) {
         const Row& row = state.rows[at(i)];
         const double push = std::max(0.0, row.normal_push);
         pushes += push;
         slip += push * slip_of(row, apart_of(state, row)).dot(tangent(state, row));
-        grip += push * row.grip;
+        ratio += push * row.friction_ratio;
         slip_before += push * row.slip_before;
-        grip_before += push * row.grip_before;
+        friction_ratio_before += push * row.friction_ratio_before;
     }
     if (pushes == 0 || std::abs(slip) < still * pushes) return;
-    const double more_grip = (grip - grip_before) / pushes, more_slip = (slip - slip_before) / pushes;
-    const double secant = grip / pushes - slip / pushes * more_grip / more_slip;
-    const double next = more_grip * more_slip < 0 ? std::clamp(secant, -1.0, 1.0) : std::copysign(1.0, slip);
+    const double more_ratio = (ratio - friction_ratio_before) / pushes, more_slip = (slip - slip_before) / pushes;
+    const double secant = ratio / pushes - slip / pushes * more_ratio / more_slip;
+    const double next = more_ratio * more_slip < 0 ? std::clamp(secant, -1.0, 1.0) : std::copysign(1.0, slip);
     for (const int i : stretch) {
         Row& row = state.rows[at(i)];
         row.slip_before = slip / pushes;
-        row.grip_before = grip / pushes;
-        row.grip = next;
+        row.friction_ratio_before = ratio / pushes;
+        row.friction_ratio = next;
     }
 }
 
-void grip_stretches(State& state) {
+void find_friction_ratios(State& state) {
     const auto end = state.on_steel.end();
     const auto row_at = [&](int i) -> const Row& { return state.rows[at(i)]; };
     const auto is_part = [&](int i) { return row_at(i).mobility > 0 && presses(state, row_at(i)); };
@@ -65,7 +65,7 @@ void grip_stretches(State& state) {
         auto last = first + 1;
         if (is_part(*first)) {
             while (last != end && goes_on(row_at(last[-1]), row_at(*last)) && is_part(*last)) ++last;
-            grip(state, {first, last});
+            find_friction_ratio(state, {first, last});
         }
         first = last;
     }
@@ -76,7 +76,8 @@ void grip_stretches(State& state) {
 Vec3 push_across(const State& state, const Row& row, const Vec3& along) {
     const Vec3 slip = slip_of(row, apart_of(state, row)), wanted = row.tangent_push - slip / row.mobility;
     const Vec3 across = wanted - wanted.dot(along) * along;
-    const double size = across.norm(), most = row.friction * row.normal_push * std::sqrt(1 - row.grip * row.grip);
+    const double size = across.norm(),
+                 most = row.friction * row.normal_push * std::sqrt(1 - row.friction_ratio * row.friction_ratio);
     return size > most ? Vec3(most / size * across) : across;
 }
 
@@ -91,7 +92,7 @@ void forget_pushes(State& state) {
 }  // namespace
 
 CapstanSolver::CapstanSolver(std::size_t most_links) {
-    for (auto* of_nodes : {&line_, &glided_}) of_nodes->reserve(most_links + 1);
+    for (auto* of_nodes : {&line_, &displaced_}) of_nodes->reserve(most_links + 1);
     stiff_.reserve(most_links + 1);
     unknowns_.reserve(2 * most_links);
     unknown_.reserve(2 * most_links);
@@ -120,8 +121,8 @@ Vec3 CapstanSolver::move_of(const State& state, int node, const Vec3& push) cons
 }
 
 void CapstanSolver::move_row(const State& state, const Row& row, const Vec3& push) {
-    glided_[at(row.link)] += (1 - row.s) * move_of(state, row.link, push);
-    glided_[at(row.link + 1)] += row.s * move_of(state, row.link + 1, push);
+    displaced_[at(row.link)] += (1 - row.s) * move_of(state, row.link, push);
+    displaced_[at(row.link + 1)] += row.s * move_of(state, row.link + 1, push);
 }
 
 void CapstanSolver::change_push(const State& state, Row& row, double normal, const Vec3& tangent) {
@@ -137,7 +138,7 @@ void CapstanSolver::add_contact(const State& state, Row& row) {
     const bool is_on = presses(state, row);
     row.pressed = false;
     if (!is_on) return change_push(state, row, 0, Vec3::Zero());
-    const Vec3 along = tangent(state, row), drag = -row.friction * row.grip * along;
+    const Vec3 along = tangent(state, row), drag = -row.friction * row.friction_ratio * along;
     change_push(state, row, row.normal_push, row.normal_push * drag + push_across(state, row, along));
     unknowns_.push_back({&row, row.link, {1 - row.s, row.s}, row.normal, row.normal + drag, compliance});
     unknown_.push_back(depth(state, row));
@@ -186,7 +187,8 @@ void CapstanSolver::fill_band(const State& state) {
 
 void CapstanSolver::push(State& state, const Unknown& unknown, double by) {
     for (int a = 0; a < 2; ++a)
-        glided_[at(unknown.link + a)] += by * unknown.weight[at(a)] * move_of(state, unknown.link + a, unknown.force);
+        displaced_[at(unknown.link + a)] +=
+            by * unknown.weight[at(a)] * move_of(state, unknown.link + a, unknown.force);
     if (!unknown.row) {
         state.pulled[at(unknown.link)] += by;
         return;
@@ -203,20 +205,20 @@ bool is_on_steel(const State& state) {
 }
 
 double CapstanSolver::solve(State& state, LengthSolver& lengths) {
-    grip_stretches(state);
+    find_friction_ratios(state);
     measure_stiffness(state);
-    glided_.assign(state.nodes.size(), Vec3::Zero());
+    displaced_.assign(state.nodes.size(), Vec3::Zero());
     const double worst = collect(state, lengths);
     for (std::size_t i = 0; i < unknowns_.size(); ++i) {
         const Unknown& u = unknowns_[i];
-        unknown_[i] -= u.axis.dot(u.weight[0] * glided_[at(u.link)] + u.weight[1] * glided_[at(u.link + 1)]);
+        unknown_[i] -= u.axis.dot(u.weight[0] * displaced_[at(u.link)] + u.weight[1] * displaced_[at(u.link + 1)]);
     }
     fill_band(state);
     band_.solve(unknown_);
     if (!std::all_of(unknown_.begin(), unknown_.end(), [](double x) { return std::isfinite(x); }))
         return forget_pushes(state), worst;
     for (std::size_t i = 0; i < unknowns_.size(); ++i) push(state, unknowns_[i], unknown_[i]);
-    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += glided_[i];
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += displaced_[i];
     return worst;
 }
 

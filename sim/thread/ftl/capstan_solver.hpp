@@ -8,7 +8,7 @@
 
 namespace sim::thread::ftl {
 
-/// Whether any row that glides pushes or is about to.
+/// Whether any row in a wrap pushes or is about to.
 bool is_on_steel(const State& state);
 
 /// Solves all lengths of a thread that lies along steel together with the pushes and the friction of the steel.
@@ -17,7 +17,7 @@ class CapstanSolver {
     /// Makes room for a thread of at most so many links.
     explicit CapstanSolver(std::size_t most_links);
 
-    /// Makes one Newton step of all lengths and all rows that glide together; returns the worst |l/l0 - 1| found before
+    /// Makes one Newton step of all lengths and all rows in wraps together; returns the worst |l/l0 - 1| found before
     /// it. O(n).
     double solve(State& state, LengthSolver& lengths);
 
@@ -45,9 +45,9 @@ class CapstanSolver {
     std::vector<Unknown> unknowns_;
     std::vector<double> unknown_;  // errors, then the answers
     Band band_;
-    std::vector<Vec3> line_;     // per node: along the thread
-    std::vector<Vec3> glided_;   // per node: how it moves [m]
-    std::vector<double> stiff_;  // per node: how much harder it moves across the thread than along it, >= 1
+    std::vector<Vec3> line_;       // per node: along the thread
+    std::vector<Vec3> displaced_;  // per node: how it moves [m]
+    std::vector<double> stiff_;    // per node: how much harder it moves across the thread than along it, >= 1
 };
 
 }  // namespace sim::thread::ftl

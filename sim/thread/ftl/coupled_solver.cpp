@@ -125,7 +125,7 @@ void CoupledSolver::collect(State& state, const LengthSolver& lengths) {
     std::vector<PushedRow>& rows = pushed_;
     rows.clear();
     for (Row& row : state.rows)
-        if (!row.glides && (row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0)
+        if (!row.in_wrap && (row.normal_push > 0 || row.distance < row.target + about_to_push) && row.mobility > 0)
             rows.emplace_back(row);
     const auto matters = [](const PushedRow& r) {
         return std::max(r.row->normal_push * r.row->mobility, r.row->target - r.row->distance);

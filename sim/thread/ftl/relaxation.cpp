@@ -60,7 +60,7 @@ double Relaxation::relax(State& state, Effort effort) {
     }
     // What a wrap and lengths alone leave is met by their own solve.
     const bool others_press = std::any_of(state.rows.begin(), state.rows.end(),
-                                          [](const Row& row) { return !row.glides && row.normal_push > 0; });
+                                          [](const Row& row) { return !row.in_wrap && row.normal_push > 0; });
     const int couplings = others_press || state.on_steel.empty() ? effort.couplings : 0;
     double violation = overlap < 1 || stands_still(passes) || couplings == 0 ? settle(state) : overlap;
     for (int i = 1; i <= couplings && violation > 1 && !state.rows.empty(); ++i) {

@@ -54,7 +54,7 @@ Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted) {
 static double resolve(State& state, Row& row) {
     const Vec3 apart = apart_of(state, row);
     const double distance = apart.dot(row.normal);
-    if (row.glides) return over_goal(state, row, distance);  // met with the lengths, by the capstan solve
+    if (row.in_wrap) return over_goal(state, row, distance);  // met with the lengths, by the capstan solve
     if ((distance > row.target && row.normal_push == 0) || row.mobility == 0) return 0;
     const Vec3 slip = contact::slip_of(row, apart), normal = add_normal_push(row, apart, row.mobility) * row.normal;
     push_apart(state, row, normal + add_tangent_push(row, slip, -slip / row.mobility));

@@ -19,8 +19,8 @@ constexpr double slip_goal = 0.03;
 
 /// What is known of a link on steel from substep to substep.
 struct Wrap {
-    double grip = 0;       ///< Row::grip of the last substep, -1..1.
-    bool presses = false;  ///< Whether it pressed when the last substep ended.
+    double friction_ratio = 0;  ///< Row::friction_ratio of the last substep, -1..1.
+    bool presses = false;       ///< Whether it pressed when the last substep ended.
 };
 
 /// How far one dares to go, for tools that move together.
@@ -58,7 +58,7 @@ struct State : contact::State {
     /// Whether nothing moved and nothing is violated, so that a tick without motion does nothing.
     bool settled = false;
     std::vector<Wrap> wraps;            ///< n: what the last substep left of each link's wrap.
-    std::vector<int> on_steel;          ///< Rows that glide, one a link, in the order of their links.
+    std::vector<int> on_steel;          ///< Rows in wraps, one a link, in the order of their links.
     std::vector<double> pulled;         ///< n: multipliers of the substep's length solves [m]; negative: shortened.
     std::vector<double> pulled_before;  ///< n: `pulled` of the substep before [m].
     std::vector<Vec3> carried;          ///< n + 1: how far taut spans went along with their ends in this substep [m].

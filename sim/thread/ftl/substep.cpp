@@ -58,7 +58,7 @@ static void begin_slide(State& state) {
     begin_pushes(state);
     std::fill(state.carried.begin(), state.carried.end(), Vec3::Zero());
     state.on_steel.clear();
-    for (Row& row : state.rows) row.glides = row.pressed = false;
+    for (Row& row : state.rows) row.in_wrap = row.pressed = false;
     place_held(state);
 }
 

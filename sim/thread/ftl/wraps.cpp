@@ -47,7 +47,7 @@ static void find_wraps(State& state) {
 }
 
 void recall_wraps(State& state) {
-    for (Row& row : state.rows) row.glides = row.pressed = false;
+    for (Row& row : state.rows) row.in_wrap = row.pressed = false;
     state.on_steel.clear();
     if (!is_knotted(state)) find_wraps(state);
     std::sort(state.on_steel.begin(), state.on_steel.end(),
@@ -55,17 +55,18 @@ void recall_wraps(State& state) {
     for (const int i : state.on_steel) {
         Row& row = state.rows[at(i)];
         const Wrap& wrap = state.wraps[at(row.link)];
-        row.glides = true;
+        row.in_wrap = true;
         row.pressed = wrap.presses;
-        row.grip = wrap.grip;
-        row.slip_before = row.grip_before = 0;
+        row.friction_ratio = wrap.friction_ratio;
+        row.slip_before = row.friction_ratio_before = 0;
     }
 }
 
 void remember_wraps(State& state) {
     std::fill(state.wraps.begin(), state.wraps.end(), Wrap{});
     for (const int i : state.on_steel)
-        if (const Row& row = state.rows[at(i)]; row.normal_push > 0) state.wraps[at(row.link)] = {row.grip, true};
+        if (const Row& row = state.rows[at(i)]; row.normal_push > 0)
+            state.wraps[at(row.link)] = {row.friction_ratio, true};
 }
 
 void lie_on_steel(State& state) {
