@@ -98,7 +98,7 @@ static void measure(State& state, Contact& c) {
 // In a corner of a hole's rim a thread leans on both sides. An elastic one that is shown one of them slides off past
 // the other and is thrown back, by half a radius a tick at 20 degrees; at 14 it rests. Follow-The-Leader, which has no
 // forces, leans on nothing.
-double same_way_on_wall(const State& state) {
+double same_direction_on_wall(const State& state) {
     return state.def.elastic ? 0.97 : 0.94;
 }
 
@@ -110,7 +110,7 @@ static Rows without_what_ends_say(const State& state, Rows first, Rows last) {
         first, last, [&](const Row& row) { return !is_on_soft_wall(state, row) || row.s == 0 || row.s == 1; });
     const auto is_at = [&](double s, const Row& row) {
         return [&state, s, &row](const Row& end) {
-            return end.s == s && end.normal.dot(row.normal) > same_way_on_wall(state);
+            return end.s == s && end.normal.dot(row.normal) > same_direction_on_wall(state);
         };
     };
     return std::remove_if(ends, last, [&](const Row& row) {
@@ -122,7 +122,7 @@ static Rows without_what_ends_say(const State& state, Rows first, Rows last) {
 // A wall's small triangles give a link many rows that say the same: of those within a radius of each other that face
 // the same way, the nearest. What does not is another wall or an edge.
 static void merge_walls(State& state) {
-    const double radius = state.def.radius, same_way = same_way_on_wall(state);
+    const double radius = state.def.radius, same_direction = same_direction_on_wall(state);
     std::vector<Row>& rows = state.rows;
     const auto of_one_link = [](const Row& a, const Row& b) { return a.against == b.against && a.link == b.link; };
     const auto order = [](const Row& row) { return std::tuple(row.distance, row.other, row.s); };
@@ -134,7 +134,7 @@ static void merge_walls(State& state) {
         if (on_wall) std::sort(group, past, [&](const Row& a, const Row& b) { return order(a) < order(b); });
         for (auto row = group; row != past; ++row) {
             const auto says_it = [&](const Row& known) {
-                return known.normal.dot(row->normal) > same_way &&
+                return known.normal.dot(row->normal) > same_direction &&
                        (known.fixed - row->fixed).squaredNorm() < radius * radius;
             };
             if (!on_wall || std::none_of(first_kept, kept, says_it)) *kept++ = *row;

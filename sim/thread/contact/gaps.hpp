@@ -16,6 +16,6 @@ double closing(const State& state);
 /// pressed in the last [m].
 double about_to_press(const State& state);
 /// The cosine of the angle within which the normals of rows on a wall belong to the same contact.
-double same_way_on_wall(const State& state);
+double same_direction_on_wall(const State& state);
 
 }  // namespace sim::thread::contact

@@ -68,23 +68,23 @@ static double place_of(const State& state, int link, double s) {
 // of each other that face the same way say the same; on a wall within a link, which is as long as its bend allows, on a
 // soft one within half of it: what lies between two nodes is said at one of them. Round a tool each link needs its own:
 // with one for two a wrap lost a tenth of its friction in short ticks.
-static bool says_the_same(const State& state, const Row& a, const Row& b) {
+static bool same_contact(const State& state, const Row& a, const Row& b) {
     constexpr double to_a_node = 0.51;  // half a link, and what rounds
-    const double same_way = a.against == Against::surface ? same_way_on_wall(state) : 0.94;
+    const double same_direction = a.against == Against::surface ? same_direction_on_wall(state) : 0.94;
     const double radius = state.def.radius, rest = state.rest_length[at(a.link)];
     const double on_wall = is_on_soft_wall(state, a) ? to_a_node * rest : rest;
     const double reach = a.against == Against::surface   ? std::max(radius, on_wall)
                          : a.against == Against::capsule ? std::min(radius, 0.75 * rest)
                                                          : radius;
     const auto near = [&](double p, double q) { return std::abs(p - q) < reach; };
-    return a.against == b.against && a.normal.dot(b.normal) > same_way &&
+    return a.against == b.against && a.normal.dot(b.normal) > same_direction &&
            near(place_of(state, a.link, a.s), place_of(state, b.link, b.s)) &&
            (a.against != Against::thread || near(place_of(state, a.other, a.t), place_of(state, b.other, b.t)));
 }
 
-static ContactConstraint* said_already(const State& state, std::vector<ContactConstraint>& contacts, const Row& row) {
+static ContactConstraint* known_contact(const State& state, std::vector<ContactConstraint>& contacts, const Row& row) {
     const auto known = std::find_if(contacts.begin(), contacts.end(), [&](const ContactConstraint& contact) {
-        return says_the_same(state, *contact.row, row);
+        return same_contact(state, *contact.row, row);
     });
     return known == contacts.end() ? nullptr : &*known;
 }
@@ -101,7 +101,7 @@ static void push_as_before(ContactConstraint& contact, const Row& before) {
 static void hand_on_between_triangles(const State& state, std::vector<ContactConstraint>& contacts) {
     for (const Row& before : state.pressed) {
         if (before.against != Against::surface || before.is_there_still) continue;
-        if (ContactConstraint* const contact = said_already(state, contacts, before)) push_as_before(*contact, before);
+        if (ContactConstraint* const contact = known_contact(state, contacts, before)) push_as_before(*contact, before);
     }
 }
 
@@ -134,7 +134,7 @@ void ContactFinder::add_contact(State& state, std::vector<ContactConstraint>& co
     const Row* const before = pressed_before(state, row);
     if (before && slips_on_body(*before)) row.normal = normal_ahead(state, row);
     if (!before && is_far(state, row)) return;
-    if (ContactConstraint* const known = said_already(state, contacts, row)) {
+    if (ContactConstraint* const known = known_contact(state, contacts, row)) {
         if (before) push_as_before(*known, *before);
         return;
     }

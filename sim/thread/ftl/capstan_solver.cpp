@@ -64,7 +64,7 @@ void find_friction_ratios(State& state) {
     for (auto first = state.on_steel.begin(); first != end;) {
         auto last = first + 1;
         if (is_part(*first)) {
-            while (last != end && goes_on(row_at(last[-1]), row_at(*last)) && is_part(*last)) ++last;
+            while (last != end && is_next_link(row_at(last[-1]), row_at(*last)) && is_part(*last)) ++last;
             find_friction_ratio(state, {first, last});
         }
         first = last;

@@ -67,7 +67,7 @@ double resolve_contacts(State& state) {
     return worst;
 }
 
-bool goes_on(const Row& row, const Row& next) {
+bool is_next_link(const Row& row, const Row& next) {
     return next.against == row.against && next.other == row.other && next.link == row.link + 1;
 }
 
@@ -79,7 +79,7 @@ static void aim_at_nodes(State& state) {
     for (std::size_t r = 0; r + 1 < state.on_steel.size(); ++r) {
         Row& row = state.rows[at(state.on_steel[r])];
         const Row& next = state.rows[at(state.on_steel[r + 1])];
-        if (!goes_on(row, next)) continue;
+        if (!is_next_link(row, next)) continue;
         const Vec3& node = state.nodes[at(next.link)];
         const Capsule &now = state.capsules[at(row.other)], &then = state.capsules_before[at(row.other)];
         const geometry::ClosestPair pair = geometry::closest_points(node, node, now.a, now.b);

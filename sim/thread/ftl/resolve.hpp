@@ -21,6 +21,6 @@ double add_normal_push(Row& row, const Vec3& apart, double mobility);
 /// Adds as much of the push that is `wanted` against the slip as Coulomb's cone allows; returns what the push gained.
 Vec3 add_tangent_push(Row& row, const Vec3& slip, const Vec3& wanted);
 /// Whether the second row is of the same tool part and the next link.
-bool goes_on(const Row& row, const Row& next);
+bool is_next_link(const Row& row, const Row& next);
 
 }  // namespace sim::thread::ftl

@@ -38,7 +38,7 @@ static void find_wraps(State& state) {
         const auto is_part = [&](const Row& row) { return is_near(state, row) && is_alone(state, row); };
         auto last = first + 1;
         if (is_part(*first))
-            while (last != state.rows.end() && goes_on(last[-1], *last) && is_part(*last)) ++last;
+            while (last != state.rows.end() && is_next_link(last[-1], *last) && is_part(*last)) ++last;
         if (last - first >= fewest)
             for (auto row = first; row != last; ++row)
                 state.on_steel.push_back(static_cast<int>(row - state.rows.begin()));
