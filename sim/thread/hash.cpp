@@ -36,13 +36,13 @@ class Hash {
             add(number);
     }
     void add(const ftl::Wrap& wrap) { add(wrap.friction_ratio), add(wrap.presses); }
-    void add(const ftl::Pace& pace) {
-        add(pace.trust);
-        add(pace.refused_in_a_row);
-        add(pace.jams_in_a_row);
-        add(pace.waits);
-        add(pace.stuck);
-        add(pace.refused);
+    void add(const ftl::StepControl& step_control) {
+        add(step_control.trust_region);
+        add(step_control.refused_in_a_row);
+        add(step_control.jams_in_a_row);
+        add(step_control.waits);
+        add(step_control.stuck);
+        add(step_control.refused);
     }
     void add(const elastic::SleepingContact& contact) { add(contact.row), add(contact.wall); }
     void add(const SurfaceForce& force) {
@@ -76,8 +76,8 @@ void add_following(Hash& hash, const Mover& mover) {
     for (std::size_t i = 0; i < state_of(mover).nodes.size(); ++i) hash.add(1);
 }
 void add_paces(Hash& hash, const Mover& mover) {
-    static const ftl::Pace untried;
-    if (const auto* ftl = std::get_if<ftl::Mover>(&mover)) return hash.add(ftl->state().paces);
+    static const ftl::StepControl untried;
+    if (const auto* ftl = std::get_if<ftl::Mover>(&mover)) return hash.add(ftl->state().step_controls);
     const std::size_t tools = state_of(mover).progress.size();
     for (std::size_t i = 0; tools > 0 && i <= tools; ++i) hash.add(untried);
 }
@@ -87,8 +87,8 @@ void add_own(Hash& hash, const ftl::State& state) {
     if (state.slides) hash.add(1);
     hash.add(state.wraps);
     hash.add(state.pulled);
-    hash.add(state.unfinished.pace);
-    if (state.unfinished.pace < 0) return;
+    hash.add(state.unfinished.step_control);
+    if (state.unfinished.step_control < 0) return;
     hash.add(state.unfinished.share);
     hash.add(state.unfinished.tries);
     hash.add(state.unfinished.nodes);
@@ -109,10 +109,10 @@ void add_own(Hash& hash, const elastic::State& state) {
 
 void add_all_of(Hash& hash, const ftl::State& state) {
     const ftl::Unfinished& unfinished = state.unfinished;
-    for (const double number : {state.drift_way, double(state.slides), double(state.settled), double(unfinished.pace),
-                                unfinished.share, double(unfinished.tries)})
+    for (const double number : {state.drift_way, double(state.slides), double(state.settled),
+                                double(unfinished.step_control), unfinished.share, double(unfinished.tries)})
         hash.add(number);
-    hash.add_counted(state.drift, state.following, state.paces, unfinished.nodes, state.wraps, state.on_steel,
+    hash.add_counted(state.drift, state.following, state.step_controls, unfinished.nodes, state.wraps, state.on_steel,
                      state.pulled, state.pulled_before, state.carried);
 }
 

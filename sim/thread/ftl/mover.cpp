@@ -18,14 +18,14 @@ namespace {
 constexpr int most_work = 54;  // of a tick, in passes: what is left then is lag
 
 void forget_unfinished(State& state) {
-    state.unfinished.pace = -1;
+    state.unfinished.step_control = -1;
     state.unfinished.tries = 0;
 }
 
 // What was refused before is tried the other way; what is drawn taut over walls, where a shorter step is likelier to
 // help, each fourth time.
-Answer next_answer(const State& state, const Pace& pace) {
-    const bool second = pace.refused_in_a_row % 2 != 0, fourth = pace.refused_in_a_row % 4 == 3;
+Answer next_answer(const State& state, const StepControl& step_control) {
+    const bool second = step_control.refused_in_a_row % 2 != 0, fourth = step_control.refused_in_a_row % 4 == 3;
     if (!may_slide(state)) return second ? Answer::follow_the_leader : Answer::drift;
     return (state.slides ? !fourth : second) ? Answer::slide : Answer::drift;
 }
@@ -42,10 +42,10 @@ bool is_at_rest(const State& state, const Motion& motion) {
                        [&](const Row& row) { return over_goal(state, row, row.distance) < 1 && !is_deep(row); });
 }
 
-Effort effort(const Pace& pace, Answer answer) {
+Effort effort(const StepControl& step_control, Answer answer) {
     constexpr int passes = 8;
     if (answer == Answer::keep_what_presses) return {passes, 0};
-    return {passes, creeps(pace) ? 1 : 2};
+    return {passes, creeps(step_control) ? 1 : 2};
 }
 
 template <class T>
@@ -64,11 +64,12 @@ Mover::Mover(const ThreadDef& def, std::vector<Vec3> nodes, std::span<const int>
 
 void Mover::begin() {
     State& state = state_;
-    if (state.paces.size() != state.progress.size() + 1) {
-        state.paces.assign(state.progress.size() + 1, {});
+    if (state.step_controls.size() != state.progress.size() + 1) {
+        state.step_controls.assign(state.progress.size() + 1, {});
         forget_unfinished(state);
     }
-    for (Pace& pace : state.paces) pace.refused.reserve(state.input.holds.size() + 2 * state.input.capsules.size());
+    for (StepControl& step_control : state.step_controls)
+        step_control.refused.reserve(state.input.holds.size() + 2 * state.input.capsules.size());
     stepper_.work() = 0;
     wasted_ = 0;
     if (state.input.surface_moved > 0) {
@@ -96,32 +97,32 @@ void Mover::set_progress(const Movers& movers, double progress) {
 void Mover::learn_from_refusal(const Movers& movers, double share) {
     constexpr int most_tries = 12;  // [ticks] that a knot may hold up hands which it does not let pass in the end
     Unfinished& unfinished = state_.unfinished;
-    Pace& pace = state_.paces[movers.pace];
-    pace.refused = asked_.ways;
+    StepControl& step_control = state_.step_controls[movers.step_control];
+    step_control.refused = asked_.ways;
     unfinished.share = share;
     // Begun afresh, because what is around has moved, it is still the same jam.
-    if (creeps(pace) && !state_.rows.empty() && ++unfinished.tries < most_tries) {
-        unfinished.pace = static_cast<int>(movers.pace);
+    if (creeps(step_control) && !state_.rows.empty() && ++unfinished.tries < most_tries) {
+        unfinished.step_control = static_cast<int>(movers.step_control);
     } else {
         forget_unfinished(state_);
-        trust_less(pace);
+        shorten_steps(step_control);
     }
 }
 
 // Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the
-// slack around it does: that is easily found, and says nothing of how far to trust.
+// slack around it does: that is easily found, and says nothing of the trust region.
 bool Mover::substep(const Movers& movers, bool jammed, TickReport& report) {
     constexpr int work_of_looking = 6, easy_work = 12;
     State& state = state_;
     const Motion& motion = asked_.motion;
     int& work = stepper_.work();
-    Pace& pace = state.paces[movers.pace];
-    const bool is_known =
-        !detection_.look_around(state, motion.most()) && state.unfinished.pace == static_cast<int>(movers.pace);
+    StepControl& step_control = state.step_controls[movers.step_control];
+    const bool is_known = !detection_.look_around(state, motion.most()) &&
+                          state.unfinished.step_control == static_cast<int>(movers.step_control);
     if (!is_known) {
-        state.unfinished.pace = -1;
+        state.unfinished.step_control = -1;
         // Jammed, what hands ask for grows and grows; what a short step does not reach need not be looked at.
-        measure_gaps(state, creeps(pace) ? std::min(motion.most(), 0.5 * state.def.radius) : motion.most());
+        measure_gaps(state, creeps(step_control) ? std::min(motion.most(), 0.5 * state.def.radius) : motion.most());
         state.on_steel.clear();
         work += work_of_looking;
     }
@@ -133,20 +134,22 @@ bool Mover::substep(const Movers& movers, bool jammed, TickReport& report) {
     // Steps alike, no short one last: each says how the thread goes on in the next.
     const auto step_share = [&] {
         const double left = 1 - progress_of(movers),
-                     most = admissible_share(state, movers, motion) * (jammed ? 1 : pace.trust);
+                     most = admissible_share(state, movers, motion) * (jammed ? 1 : step_control.trust_region);
         return motion.most() > 0 ? left / std::ceil(left / most) : 1;
     };
-    const Answer answer = jammed ? Answer::keep_what_presses : is_known ? Answer::go_on : next_answer(state, pace);
+    const Answer answer = jammed     ? Answer::keep_what_presses
+                          : is_known ? Answer::go_on
+                                     : next_answer(state, step_control);
     double share = is_known ? state.unfinished.share : step_share();
     if (answer == Answer::slide) share = std::min(share, share_of_slide(state, motion.most()));
     const int work_before = work;
     progress_before_ = state.progress;
     for (std::size_t g = movers.first; g < movers.past; ++g)
         state.progress[g] = std::min(1.0, state.progress[g] + share);
-    const Substep step = stepper_.attempt(state, share * motion.most(), answer, effort(pace, answer));
+    const Substep step = stepper_.attempt(state, share * motion.most(), answer, effort(step_control, answer));
     if (step.accepted) {
         forget_unfinished(state);
-        if (!jammed) trust_more(pace, !is_known && work - work_before <= easy_work);
+        if (!jammed) lengthen_steps(step_control, !is_known && work - work_before <= easy_work);
         if (!state.settled) wake(state);
     } else {
         state.progress = progress_before_;
@@ -165,20 +168,21 @@ void Mover::move(const Movers& movers, int may_cost, TickReport& report) {
     constexpr int most_wasted = 10;  // a tick solves contacts and lengths together once in vain, not more
     asked_.collect(state_, movers);
     const double most_asked = asked_.motion.most();
-    Pace& pace = state_.paces[movers.pace];
+    StepControl& step_control = state_.step_controls[movers.step_control];
     if (most_asked == 0 && state_.settled) {
         set_progress(movers, 1);
         return;
     }
-    const bool jammed = waits(state_, pace, asked_);
-    if (jammed && pace.stuck) return;
+    const bool jammed = waits(state_, step_control, asked_);
+    if (jammed && step_control.stuck) return;
     while (progress_of(movers) < 1 && stepper_.work() < may_cost && wasted_ < most_wasted) {
         const bool accepted = substep(movers, jammed, report);
         if (jammed && !accepted) {
-            pace.stuck = true;
+            step_control.stuck = true;
             return;
         }
-        if (most_asked > 0 || accepted || state_.unfinished.pace == static_cast<int>(movers.pace)) continue;
+        if (most_asked > 0 || accepted || state_.unfinished.step_control == static_cast<int>(movers.step_control))
+            continue;
         state_.settled = true;  // nothing better can be found and nothing asks for more
         set_progress(movers, 1);
     }
@@ -189,19 +193,19 @@ void Mover::follow_tools(TickReport& report) {
     // What all together could not do each tool may still do alone: one that gives way must not wait for one that pulls.
     // But what is unfinished is finished first.
     const std::size_t groups = state_.progress.size();
-    const auto movers_of = [&](int pace) {
-        const auto p = static_cast<std::size_t>(pace);
-        return pace == 0 ? Movers{0, groups, 0} : Movers{p - 1, p, p};
+    const auto movers_of = [&](int step_control) {
+        const auto p = static_cast<std::size_t>(step_control);
+        return step_control == 0 ? Movers{0, groups, 0} : Movers{p - 1, p, p};
     };
-    if (const int pace = state_.unfinished.pace; pace >= 0) {
-        asked_.collect(state_, movers_of(pace));
-        if (!asked_.is_much_the_same(state_, state_.paces[static_cast<std::size_t>(pace)].refused))
+    if (const int step_control = state_.unfinished.step_control; step_control >= 0) {
+        asked_.collect(state_, movers_of(step_control));
+        if (!asked_.is_much_the_same(state_, state_.step_controls[static_cast<std::size_t>(step_control)].refused))
             forget_unfinished(state_);
     }
-    const bool goes_well = groups == 1 || state_.paces[0].trust > 0.25;
-    for (int pace = 0; pace <= (groups > 1 ? static_cast<int>(groups) : 0); ++pace)
-        if (state_.unfinished.pace < 0 || state_.unfinished.pace == pace)
-            move(movers_of(pace), pace > 0 || goes_well ? most_work : most_work / 2, report);
+    const bool goes_well = groups == 1 || state_.step_controls[0].trust_region > 0.25;
+    for (int step_control = 0; step_control <= (groups > 1 ? static_cast<int>(groups) : 0); ++step_control)
+        if (state_.unfinished.step_control < 0 || state_.unfinished.step_control == step_control)
+            move(movers_of(step_control), step_control > 0 || goes_well ? most_work : most_work / 2, report);
 }
 
 void Mover::find_surface_forces() {
@@ -252,7 +256,7 @@ void Mover::renew() {
 
 void Mover::forget_jams() {
     forget_unfinished(state_);
-    for (Pace& pace : state_.paces) pace = {.refused = std::move(pace.refused)};
+    for (StepControl& step_control : state_.step_controls) step_control = {.refused = std::move(step_control.refused)};
 }
 
 }  // namespace sim::thread::ftl

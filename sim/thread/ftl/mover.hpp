@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "sim/thread/contact/detection.hpp"
-#include "sim/thread/ftl/pace.hpp"
+#include "sim/thread/ftl/step_control.hpp"
 #include "sim/thread/ftl/substep.hpp"
 #include "sim/thread/ftl/tension.hpp"
 
@@ -27,7 +27,7 @@ class Mover {
     void find_surface_forces();
 
     /// Whether links must stay as they are in this tick: all is at rest, or a substep is unfinished.
-    bool keeps_links() const { return state_.settled || state_.unfinished.pace >= 0; }
+    bool keeps_links() const { return state_.settled || state_.unfinished.step_control >= 0; }
     /// Takes note that a node more has come between those of `link`, at `share` of it, 0..1.
     void split(std::size_t link, double share);
     /// Takes note that a node, neither end of its piece, is left out.

@@ -24,10 +24,10 @@ struct Wrap {
 };
 
 /// How far one dares to go, for tools that move together.
-struct Pace {
-    double trust = 1;           ///< Share of the admissible step that the last substep managed, 1/64..1.
+struct StepControl {
+    double trust_region = 1;    ///< Share of the admissible step that the last substep managed, 1/64..1.
     int refused_in_a_row = 0;   ///< Substeps undone since the last good one.
-    int jams_in_a_row = 0;      ///< Substeps undone at the least trust since the last good one.
+    int jams_in_a_row = 0;      ///< Substeps undone at the least trust region since the last good one.
     int waits = 0;              ///< Ticks until what is jammed is tried again.
     bool stuck = false;         ///< Whether, while it waits, not even the slack around the jam can move.
     std::vector<Vec3> refused;  ///< Asked::ways when a substep was last refused [m].
@@ -36,9 +36,9 @@ struct Pace {
 /// A short substep that is not within tolerance yet. The thread stays as it was before it, tools wait, and the next
 /// tick goes on from here: a hard knot takes several ticks, none of them long.
 struct Unfinished {
-    int pace = -1;            ///< Index into State::paces of the tools that it moves; -1: nothing is unfinished.
-    double share = 0;         ///< Share of the tick's motion that it makes, 0..1.
-    int tries = 0;            ///< Ticks that have worked at it.
+    int step_control = -1;  ///< Index into State::step_controls of the tools that it moves; -1: nothing is unfinished.
+    double share = 0;       ///< Share of the tick's motion that it makes, 0..1.
+    int tries = 0;          ///< Ticks that have worked at it.
     std::vector<Vec3> nodes;  ///< n + 1: where nodes have come to so far [m].
 };
 
@@ -52,9 +52,10 @@ struct State : contact::State {
     std::vector<Vec3> drift;        ///< n + 1: how each node moved in the last substep, not carried along [m].
     double drift_way = 0;           ///< How far held nodes or tools went in that substep [m].
     std::vector<double> following;  ///< n + 1: share of drift_way that each node went.
-    std::vector<Pace> paces;  ///< Step-size control of all tools together, of nobody's holds, then of each tool alone.
-    Unfinished unfinished;    ///< The substep to go on with.
-    bool slides = false;      ///< Whether what is led is taut over walls and follows along itself.
+    std::vector<StepControl>
+        step_controls;      ///< Step-size control of all tools together, of nobody's holds, then of each tool alone.
+    Unfinished unfinished;  ///< The substep to go on with.
+    bool slides = false;    ///< Whether what is led is taut over walls and follows along itself.
     /// Whether nothing moved and nothing is violated, so that a tick without motion does nothing.
     bool settled = false;
     std::vector<Wrap> wraps;            ///< n: what the last substep left of each link's wrap.

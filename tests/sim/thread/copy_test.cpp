@@ -161,7 +161,7 @@ TEST(Copy, OfAnUnfinishedSubstepGoesOnAlike) {
     int unfinished = 0;
     for (int i = 0; i < 400; ++i) {
         pull(mover);
-        if (state.unfinished.pace < 0 || ++unfinished % 10 != 1) continue;
+        if (state.unfinished.step_control < 0 || ++unfinished % 10 != 1) continue;
         auto copy = mover, original = mover;
         for (int k = 0; k < 15; ++k) {
             pull(copy), pull(original);
@@ -213,9 +213,9 @@ TEST(HashOfAllCarried, SeesEachMemberOfAThreadByFollowTheLeader) {
     expect("drift", [](auto& s) { s.drift[3].x() += 1e-9; });
     expect("drift_way", [](auto& s) { s.drift_way += 1e-9; });
     expect("following", [](auto& s) { s.following[3] += 0.1; });
-    expect("paces", [](auto& s) { s.paces.at(0).waits += 1; });
-    expect("refused", [](auto& s) { s.paces.at(0).refused.push_back(Vec3::UnitX()); });
-    expect("unfinished.pace", [](auto& s) { s.unfinished.pace = 0; });
+    expect("step_controls", [](auto& s) { s.step_controls.at(0).waits += 1; });
+    expect("refused", [](auto& s) { s.step_controls.at(0).refused.push_back(Vec3::UnitX()); });
+    expect("unfinished.step_control", [](auto& s) { s.unfinished.step_control = 0; });
     expect("unfinished.share", [](auto& s) { s.unfinished.share += 0.1; });
     expect("unfinished.tries", [](auto& s) { s.unfinished.tries += 1; });
     expect("unfinished.nodes", [](auto& s) { s.unfinished.nodes[3].x() += 1e-9; });

@@ -11,9 +11,9 @@ using contact::Motion;
 
 /// Which tools move: one group, or all. Tools are numbered from 0; what nobody holds is -1.
 struct Movers {
-    std::size_t first;  ///< Index of the group's first tool in State::progress.
-    std::size_t past;   ///< Index past the group's last tool in State::progress.
-    std::size_t pace;   ///< Index of the group's step-size control in State::paces.
+    std::size_t first;         ///< Index of the group's first tool in State::progress.
+    std::size_t past;          ///< Index past the group's last tool in State::progress.
+    std::size_t step_control;  ///< Index of the group's step-size control in State::step_controls.
 
     /// Whether the group has the tool `owner`, from -1.
     bool include(int owner) const {
@@ -39,18 +39,18 @@ struct Asked {
 double admissible_share(const State& state, const Movers& movers, const Motion& motion);
 
 /// Whether what is jammed waits in this tick; counts down the ticks that it still waits.
-bool waits(const State& state, Pace& pace, const Asked& asked);
+bool waits(const State& state, StepControl& step_control, const Asked& asked);
 /// Shortens steps after a substep that was refused. What is jammed is tried again after 1, 3, 7 ... ticks, a second at
 /// last: nothing has changed meanwhile.
-void trust_less(Pace& pace);
+void shorten_steps(StepControl& step_control);
 /// Lengthens steps after a substep that was accepted. A hard step costs the same however short it is, so it too may
 /// become longer; more slowly, for a refused one quarters it again.
-void trust_more(Pace& pace, bool was_easy);
+void lengthen_steps(StepControl& step_control, bool was_easy);
 /// Lets what is jammed try again: the thread has moved, and may grant now what it refused a while ago.
 void wake(State& state);
 /// Whether steps are so short that one is worked at for several ticks.
-inline bool creeps(const Pace& pace) {
-    return pace.trust < 0.125;
+inline bool creeps(const StepControl& step_control) {
+    return step_control.trust_region < 0.125;
 }
 
 }  // namespace sim::thread::ftl

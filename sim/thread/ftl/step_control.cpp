@@ -1,8 +1,8 @@
-#include "sim/thread/ftl/pace.hpp"
+#include "sim/thread/ftl/step_control.hpp"
 
 #include <algorithm>
 
-// The step bound is a guarantee, found anew for every substep; within it trust is learnt as by a trust-region method:
+// The step bound is a guarantee, found anew for every substep; within it a trust region is learnt:
 // quartered when a substep is refused, doubled when one was easy.
 namespace sim::thread::ftl {
 
@@ -57,35 +57,36 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     return share;
 }
 
-bool waits(const State& state, Pace& pace, const Asked& asked) {
-    if (pace.waits == 0 || asked.motion.most() == 0) return false;
-    if (!asked.is_much_the_same(state, pace.refused)) {
-        pace.waits = pace.jams_in_a_row = 0;
-        pace.stuck = false;
+bool waits(const State& state, StepControl& step_control, const Asked& asked) {
+    if (step_control.waits == 0 || asked.motion.most() == 0) return false;
+    if (!asked.is_much_the_same(state, step_control.refused)) {
+        step_control.waits = step_control.jams_in_a_row = 0;
+        step_control.stuck = false;
         return false;
     }
-    --pace.waits;
+    --step_control.waits;
     return true;
 }
 
-void trust_less(Pace& pace) {
-    constexpr double least_trust = 1.0 / 64;  // the share of its motion that a jammed thread is still asked to make
+void shorten_steps(StepControl& step_control) {
+    constexpr double least_region = 1.0 / 64;  // the share of its motion that a jammed thread is still asked to make
     constexpr int longest = 10;
-    ++pace.refused_in_a_row;
-    if (pace.trust <= least_trust) pace.waits = (1 << std::min(++pace.jams_in_a_row, longest)) - 1;
-    pace.trust = std::max(least_trust, pace.trust / 4);
+    ++step_control.refused_in_a_row;
+    if (step_control.trust_region <= least_region)
+        step_control.waits = (1 << std::min(++step_control.jams_in_a_row, longest)) - 1;
+    step_control.trust_region = std::max(least_region, step_control.trust_region / 4);
 }
 
-void trust_more(Pace& pace, bool was_easy) {
-    pace.refused_in_a_row = pace.jams_in_a_row = 0;
-    pace.trust = std::min(1.0, (was_easy ? 2 : 1.25) * pace.trust);
+void lengthen_steps(StepControl& step_control, bool was_easy) {
+    step_control.refused_in_a_row = step_control.jams_in_a_row = 0;
+    step_control.trust_region = std::min(1.0, (was_easy ? 2 : 1.25) * step_control.trust_region);
 }
 
 void wake(State& state) {
     constexpr int longest = 31;  // [ticks]
-    for (Pace& pace : state.paces) {
-        pace.waits = std::min(pace.waits, longest);
-        pace.stuck = false;
+    for (StepControl& step_control : state.step_controls) {
+        step_control.waits = std::min(step_control.waits, longest);
+        step_control.stuck = false;
     }
 }
 
