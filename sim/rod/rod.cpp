@@ -72,7 +72,7 @@ void Rod::resize() {
 }
 
 void Rod::reserve(std::size_t links) {
-    for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &answer_, &aim_, &loads_, &force_, &gradient_,
+    for (auto* of_nodes : {&now_.nodes, &now_.velocity, &start_, &due_, &led_, &aim_, &loads_, &force_, &gradient_,
                            &newton_, &spread_, &trial_})
         of_nodes->reserve(links + 1);
     for (auto* of_links :

@@ -224,7 +224,7 @@ class Rod {
 
     // Of the step that is being made.
     std::vector<Vec3> due_;  // ways of held nodes, where there are any [m]
-    std::vector<Vec3> start_, answer_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
+    std::vector<Vec3> start_, led_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;
     double inertia_ = 0;  // [1/s^2]

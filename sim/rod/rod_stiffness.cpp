@@ -159,10 +159,10 @@ void Rod::assemble(Keep keep, std::span<const Pair> pairs, std::span<const Rolli
         find_twist_gradient();
         for (std::size_t i = 0; i < now_.nodes.size(); ++i) force_[i] -= twist_moment() * gradient_[i];
     }
-    answer_.assign(now_.nodes.size(), Vec3::Zero());
+    led_.assign(now_.nodes.size(), Vec3::Zero());
     for (std::size_t i = 0; i < now_.nodes.size(); ++i) {
         if (!held_[i]) continue;
-        if (!due_.empty()) matrix_.lead(i, due_[i], answer_);
+        if (!due_.empty()) matrix_.lead(i, due_[i], led_);
         matrix_.fix(i);
         if (turn_) gradient_[i].setZero();
     }
@@ -188,7 +188,7 @@ void Rod::find_newton_step() {
         for (std::size_t i = 0; i < newton_.size(); ++i)
             if (held_[i]) newton_[i] = due_.empty() ? Vec3::Zero().eval() : due_[i];
     };
-    for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] = force_[i] + answer_[i];
+    for (std::size_t i = 0; i < newton_.size(); ++i) newton_[i] = force_[i] + led_[i];
     stay_held();
     matrix_.solve(newton_);
     stay_held();  // whatever was added to the diagonal

@@ -22,7 +22,7 @@ static double room_in(const State& state, const Row& row) {
     return std::max(0.0, deepest(state) - depth_of(row));
 }
 
-// A tool presses on a link, which while it hardly is in it answers within the step.
+// A tool presses on a link, which while it hardly is in it responds within the step.
 static double share_of_tool(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
     const Vec3 way = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);

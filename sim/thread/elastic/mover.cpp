@@ -107,8 +107,8 @@ static double way_of_step(const State& state, double left, const Motion& motion)
     return std::max(0.5 * state.def.radius, left * motion.most());
 }
 
-// Tools first, by this share of what is left of their motion, then what the thread answers to first order.
-void Mover::answer(double left, double tools, const Motion& motion, TickReport& report) {
+// Tools first, by this share of what is left of their motion, then the thread's response to first order.
+void Mover::respond(double left, double tools, const Motion& motion, TickReport& report) {
     State& state = state_;
     Rod& rod = state.rod;
     const double way = way_of_step(state, left, motion);
@@ -133,7 +133,7 @@ void Mover::answer(double left, double tools, const Motion& motion, TickReport& 
     add_changes();
 }
 
-// Where the answer would pull a link harder than any may tools wait, and the thread answers without them: one that
+// Where the response would pull a link harder than any may tools wait, and the thread responds without them: one that
 // stopped with them could not even give way. What would then still be pulled too hard, as by the way it bends, does
 // stop it.
 Mover::Left Mover::step(double left, const Motion& motion, TickReport& report) {
@@ -147,11 +147,11 @@ Mover::Left Mover::step(double left, const Motion& motion, TickReport& report) {
     const double most = rod.def().most_pull();
     const double daring = advance_.share_of_tools(state, left, motion), careful = careful_share(state, left, daring);
     double tools = may_dare(state) ? daring : careful;
-    answer(left, tools, motion, report);
-    if (tools > careful && is_deep(state)) answer(left, tools = careful, motion, report);
+    respond(left, tools, motion, report);
+    if (tools > careful && is_deep(state)) respond(left, tools = careful, motion, report);
     const double may_pull = rod.share_within(by_tools * most);
     const bool is_taut = may_pull < 1;
-    if (is_taut) answer(left, tools *= may_pull, motion, report);
+    if (is_taut) respond(left, tools *= may_pull, motion, report);
     const double share = rod.go_by(std::min(rod.share_within(most), share_within_bounds()), state.before, state.bound);
     std::copy(rod.nodes().begin(), rod.nodes().end(), state.nodes.begin());
     left *= 1 - tools * share;

@@ -49,7 +49,7 @@ class Mover {
         double motion = 1;     // share that tools have still to make
         bool is_taut = false;  // they wait: they pulled as hard as any may
     };
-    void answer(double left, double tools, const Motion& motion, TickReport& report);
+    void respond(double left, double tools, const Motion& motion, TickReport& report);
     Left step(double left, const Motion& motion, TickReport& report);
     void end_step(TickReport& report);
     void add_changes();

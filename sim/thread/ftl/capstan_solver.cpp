@@ -81,7 +81,7 @@ Vec3 push_across(const State& state, const Row& row, const Vec3& along) {
     return size > most ? Vec3(most / size * across) : across;
 }
 
-// Links thrown about by a step too long may have no answer; what is left stretched makes tools wait.
+// Links thrown about by a step too long may have no solution; what is left stretched makes tools wait.
 void forget_pushes(State& state) {
     for (const int i : state.on_steel) {
         state.rows[at(i)].normal_push = 0;
@@ -113,7 +113,7 @@ void CapstanSolver::measure_stiffness(const State& state) {
     }
 }
 
-// How a node answers a push.
+// How a node moves for a push.
 Vec3 CapstanSolver::move_of(const State& state, int node, const Vec3& push) const {
     const Vec3& line = line_[at(node)];
     const Vec3 along = line.dot(push) * line;

@@ -43,7 +43,7 @@ class CapstanSolver {
     void push(State& state, const Unknown& unknown, double by);
 
     std::vector<Unknown> unknowns_;
-    std::vector<double> unknown_;  // errors, then the answers
+    std::vector<double> unknown_;  // errors, then the solution
     Band band_;
     std::vector<Vec3> line_;       // per node: along the thread
     std::vector<Vec3> displaced_;  // per node: how it moves [m]

@@ -18,7 +18,7 @@ using Mat3 = Eigen::Matrix3d;
 CoupledSolver::CoupledSolver(std::size_t most_links) {
     pushed_.reserve(8 * most_links);
     delassus_.resized(3 * most_rows, 3 * most_rows);
-    for (Table* of_links : {&effects_, &answers_}) of_links->resized(8 * most_rows, 3 * most_rows);
+    for (Table* of_links : {&effects_, &multipliers_}) of_links->resized(8 * most_rows, 3 * most_rows);
     touched_.reserve(8 * most_rows);
     inverse_.reserve(8 * most_rows);
     move_.reserve(most_links + 1);
@@ -58,7 +58,7 @@ void CoupledSolver::measure_effects(const State& state, const LengthSolver& leng
 }
 
 // The inverse of the lengths' symmetric tridiagonal matrix at the links that rows touch, from the factors of the last
-// solve: its diagonal, and the share of an answer that reaches from each such link to the next.
+// solve: its diagonal, and the share of a solution that reaches from each such link to the next.
 void CoupledSolver::invert_lengths(const State& state, const LengthSolver& lengths) {
     std::vector<int>& touched = touched_;
     touched.clear();
@@ -82,11 +82,11 @@ void CoupledSolver::invert_lengths(const State& state, const LengthSolver& lengt
     }
 }
 
-// How the multipliers of those lengths answer a unit push at each row along each axis: a column an axis.
-void CoupledSolver::find_answers() {
+// How the multipliers of those lengths respond to a unit push at each row along each axis: a column an axis.
+void CoupledSolver::find_multipliers() {
     const auto& inverse = inverse_;
     const auto places = static_cast<Eigen::Index>(inverse.size()), columns = pushes_.size();
-    auto effects = effects_.resized(places, columns), answers = answers_.resized(places, columns);
+    auto effects = effects_.resized(places, columns), multipliers = multipliers_.resized(places, columns);
     effects.setZero();
     for (std::size_t c = 0; c < pushed_.size(); ++c) {
         const PushedRow& row = pushed_[c];
@@ -94,13 +94,13 @@ void CoupledSolver::find_answers() {
             effects.block<1, 3>(row.place[at(i)], axes(c)) = row.effect[at(i)].transpose();
     }
     for (Eigen::Index a = places; a-- > 0;) {
-        answers.row(a) = inverse[static_cast<std::size_t>(a)].diagonal * effects.row(a);
-        if (a + 1 < places) answers.row(a) += inverse[static_cast<std::size_t>(a)].share * answers.row(a + 1);
+        multipliers.row(a) = inverse[static_cast<std::size_t>(a)].diagonal * effects.row(a);
+        if (a + 1 < places) multipliers.row(a) += inverse[static_cast<std::size_t>(a)].share * multipliers.row(a + 1);
     }
-    auto& from_left = answer_from_left_;
+    auto& from_left = from_left_;
     from_left.setZero(columns);
     for (Eigen::Index a = 0; a < places; ++a) {
-        answers.row(a) += inverse[static_cast<std::size_t>(a)].diagonal * from_left;
+        multipliers.row(a) += inverse[static_cast<std::size_t>(a)].diagonal * from_left;
         from_left = inverse[static_cast<std::size_t>(a)].share * (from_left + effects.row(a));
     }
 }
@@ -121,7 +121,7 @@ void CoupledSolver::add_direct(const State& state, std::size_t d, Eigen::Map<Tab
 
 // The rows that move the thread most; what is left out is met by the passes before and after.
 void CoupledSolver::collect(State& state, const LengthSolver& lengths) {
-    const double about_to_push = 0.05 * state.def.radius;  // of the answer's size where knots are tight
+    const double about_to_push = 0.05 * state.def.radius;  // of the solution's size where knots are tight
     std::vector<PushedRow>& rows = pushed_;
     rows.clear();
     for (Row& row : state.rows)
@@ -167,15 +167,15 @@ void CoupledSolver::measure_delassus(const State& state, const LengthSolver& len
     pushes_.setZero(columns);
     weight_at_.resize(state.nodes.size());
     invert_lengths(state, lengths);
-    find_answers();
-    const auto answers = answers_.resized(static_cast<Eigen::Index>(inverse_.size()), columns);
+    find_multipliers();
+    const auto multipliers = multipliers_.resized(static_cast<Eigen::Index>(inverse_.size()), columns);
     auto delassus = delassus_.resized(columns, columns);
     delassus.setZero();
     for (std::size_t d = 0; d < rows.size(); ++d) {
         const Eigen::Index others = columns - axes(d);
         for (int i = 0; i < rows[d].links; ++i)
             delassus.block<3, Eigen::Dynamic>(axes(d), axes(d), 3, others).noalias() -=
-                rows[d].effect[at(i)] * answers.row(rows[d].place[at(i)]).tail(others);
+                rows[d].effect[at(i)] * multipliers.row(rows[d].place[at(i)]).tail(others);
         add_direct(state, d, delassus);
         for (std::size_t c = 0; c < d; ++c)
             delassus.block<3, 3>(axes(d), axes(c)) = delassus.block<3, 3>(axes(c), axes(d)).transpose();
@@ -252,7 +252,7 @@ static double share_within_bounds(const State& state, const std::vector<Vec3>& m
     return share;
 }
 
-// All pushes at once, and what the lengths answer to them to first order. The pushes alone can be large where a taut
+// All pushes at once, and what the lengths respond to first order. The pushes alone can be large where a taut
 // strand lies on something: only what remains of them after the lengths have answered is a motion.
 void CoupledSolver::move_by_pushes(State& state, const LengthSolver& lengths) {
     std::vector<Vec3>& move = move_;

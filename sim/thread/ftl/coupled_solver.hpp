@@ -52,7 +52,7 @@ class CoupledSolver {
         double mobility = 0;                  // the same, along the normal
         Eigen::Matrix3d against = {};         // times a slip: the push that undoes it
     };
-    /// Of the inverse of the lengths' matrix at a link: its diagonal, and the share of an answer that reaches from it
+    /// Of the inverse of the lengths' matrix at a link: its diagonal, and the share of a solution that reaches from it
     /// to the next such link.
     struct Reach {
         double diagonal, share;
@@ -62,7 +62,7 @@ class CoupledSolver {
     void add_effect(const State& state, const LengthSolver& lengths, PushedRow& row, int node, double weight) const;
     void measure_effects(const State& state, const LengthSolver& lengths, PushedRow& out) const;
     void invert_lengths(const State& state, const LengthSolver& lengths);
-    void find_answers();
+    void find_multipliers();
     void add_direct(const State& state, std::size_t d, Eigen::Map<Table::Matrix>& delassus);
     void measure_diagonal_block(const State& state, std::size_t c, const Eigen::Map<Table::Matrix>& delassus);
     void measure_delassus(const State& state, const LengthSolver& lengths);
@@ -78,8 +78,8 @@ class CoupledSolver {
     PerAxis<Eigen::Dynamic, 1> gain_;           // of a sweep
     PerAxis<Eigen::Dynamic, 1> way_;            // where sweeps lead
     Table delassus_;                            // the Delassus matrix: how far points move apart for unit pushes
-    Table effects_, answers_;                   // of unit pushes on lengths, and of the lengths' multipliers to those
-    PerAxis<1, Eigen::Dynamic> answer_from_left_;
+    Table effects_, multipliers_;               // of unit pushes on lengths, and of the lengths' multipliers to those
+    PerAxis<1, Eigen::Dynamic> from_left_;
     std::vector<double> weight_at_;  // per node; 0 between uses
     std::vector<int> touched_;       // links that pushed rows touch, increasing
     std::vector<Reach> inverse_;     // at those links

@@ -65,7 +65,7 @@ static Vec3 common(const Vec3& a, const Vec3& b) {
     return along > 0 ? Vec3(along / lengths * std::min(a.norm(), b.norm()) * (a + b).normalized()) : Vec3::Zero();
 }
 
-// A span between two held nodes that is straight but for this share has no slack from which it could answer by itself.
+// A span between two held nodes that is straight but for this share has no slack from which it could respond by itself.
 static double tautness(const State& state, std::size_t first, std::size_t last) {
     constexpr double slack_share = 0.05;
     double length = 0;

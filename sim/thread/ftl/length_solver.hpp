@@ -30,7 +30,7 @@ class LengthSolver {
   private:
     std::vector<Vec3> unit_;
     std::vector<double> lower_, pivot_, upper_;  // factors
-    std::vector<double> multiplier_;             // errors, then the answer [m]
+    std::vector<double> multiplier_;             // errors, then the solution [m]
 };
 
 }  // namespace sim::thread::ftl

@@ -24,10 +24,10 @@ void forget_unfinished(State& state) {
 
 // What was refused before is tried the other way; what is drawn taut over walls, where a shorter step is likelier to
 // help, each fourth time.
-Answer next_answer(const State& state, const StepControl& step_control) {
+Method next_method(const State& state, const StepControl& step_control) {
     const bool second = step_control.refused_in_a_row % 2 != 0, fourth = step_control.refused_in_a_row % 4 == 3;
-    if (!may_slide(state)) return second ? Answer::follow_the_leader : Answer::drift;
-    return (state.slides ? !fourth : second) ? Answer::slide : Answer::drift;
+    if (!may_slide(state)) return second ? Method::follow_the_leader : Method::drift;
+    return (state.slides ? !fourth : second) ? Method::slide : Method::drift;
 }
 
 // Nothing is asked for, and all is as good as passes make it.
@@ -42,9 +42,9 @@ bool is_at_rest(const State& state, const Motion& motion) {
                        [&](const Row& row) { return over_goal(state, row, row.distance) < 1 && !is_deep(row); });
 }
 
-Effort effort(const StepControl& step_control, Answer answer) {
+Effort effort(const StepControl& step_control, Method method) {
     constexpr int passes = 8;
-    if (answer == Answer::keep_what_presses) return {passes, 0};
+    if (method == Method::keep_what_presses) return {passes, 0};
     return {passes, creeps(step_control) ? 1 : 2};
 }
 
@@ -109,7 +109,7 @@ void Mover::learn_from_refusal(const Movers& movers, double share) {
     }
 }
 
-// Moves tools and held nodes on by a share of the tick's motion and lets the thread answer. While a jam waits only the
+// Moves tools and held nodes on by a share of the tick's motion and lets the thread respond. While a jam waits only the
 // slack around it does: that is easily found, and says nothing of the trust region.
 bool Mover::substep(const Movers& movers, bool jammed, TickReport& report) {
     constexpr int work_of_looking = 6, easy_work = 12;
@@ -137,16 +137,16 @@ bool Mover::substep(const Movers& movers, bool jammed, TickReport& report) {
                      most = admissible_share(state, movers, motion) * (jammed ? 1 : step_control.trust_region);
         return motion.most() > 0 ? left / std::ceil(left / most) : 1;
     };
-    const Answer answer = jammed     ? Answer::keep_what_presses
-                          : is_known ? Answer::go_on
-                                     : next_answer(state, step_control);
+    const Method method = jammed     ? Method::keep_what_presses
+                          : is_known ? Method::go_on
+                                     : next_method(state, step_control);
     double share = is_known ? state.unfinished.share : step_share();
-    if (answer == Answer::slide) share = std::min(share, share_of_slide(state, motion.most()));
+    if (method == Method::slide) share = std::min(share, share_of_slide(state, motion.most()));
     const int work_before = work;
     progress_before_ = state.progress;
     for (std::size_t g = movers.first; g < movers.past; ++g)
         state.progress[g] = std::min(1.0, state.progress[g] + share);
-    const Substep step = stepper_.attempt(state, share * motion.most(), answer, effort(step_control, answer));
+    const Substep step = stepper_.attempt(state, share * motion.most(), method, effort(step_control, method));
     if (step.accepted) {
         forget_unfinished(state);
         if (!jammed) lengthen_steps(step_control, !is_known && work - work_before <= easy_work);

@@ -57,7 +57,7 @@ class Mover {
     Stepper stepper_;
     TensionEstimate tension_;
     Asked asked_;                          // of the tools that move
-    int wasted_ = 0;                       // in this tick, of the work: on answers that were refused
+    int wasted_ = 0;                       // in this tick, of the work: on substeps that were refused
     std::vector<double> progress_before_;  // State::progress as a substep began
 };
 

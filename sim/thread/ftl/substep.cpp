@@ -40,17 +40,17 @@ static void begin_pushes(State& state) {
     }
 }
 
-void Stepper::begin_answer(State& state, double way, Answer answer) {
+void Stepper::begin_with(State& state, double way, Method method) {
     begin_pushes(state);
     recall_wraps(state);
-    if (answer == Answer::drift && state.drift_way > 0) {
+    if (method == Method::drift && state.drift_way > 0) {
         constexpr double going_on = 0.95;  // less drags on what slides, more lets it slide on by itself: knots untie
         const double share = going_on * std::min(4.0, way / state.drift_way);
         for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
     }
     place_held(state);
     carry_taut_spans(state);
-    if (answer == Answer::follow_the_leader) leader_.follow(state);
+    if (method == Method::follow_the_leader) leader_.follow(state);
     lie_on_steel(state);
 }
 
@@ -62,16 +62,16 @@ static void begin_slide(State& state) {
     place_held(state);
 }
 
-double Stepper::try_answer(State& state, double way, Answer answer, Effort effort) {
-    if (answer == Answer::slide) {
+double Stepper::try_method(State& state, double way, Method method, Effort effort) {
+    if (method == Method::slide) {
         begin_slide(state);
         return slide_.slide_along(state, leader_, relaxation_.bends(), relaxation_.work);
     }
-    if (answer == Answer::go_on) {
+    if (method == Method::go_on) {
         state.nodes = state.unfinished.nodes;
         place_held(state);
     } else {
-        begin_answer(state, way, answer);
+        begin_with(state, way, method);
     }
     clip(state);
     return relaxation_.relax(state, effort);
@@ -93,15 +93,15 @@ static double largest_move_over_bound(const State& state) {
     return worst;
 }
 
-Substep Stepper::attempt(State& state, double way, Answer answer, Effort effort) {
+Substep Stepper::attempt(State& state, double way, Method method, Effort effort) {
     double was = worst_stretch(state, state.nodes) / stretch_tolerance;
     for (const Row& row : state.rows) was = std::max(was, over_limit(state, row));
     state.before = state.nodes;
     state.capsules_before = state.capsules;
     place_capsules(state);
     Substep result;
-    if (answer == Answer::keep_what_presses) keep_what_presses(state);
-    result.accepted = try_answer(state, way, answer, effort) <= std::max(1.0, was);
+    if (method == Method::keep_what_presses) keep_what_presses(state);
+    result.accepted = try_method(state, way, method, effort) <= std::max(1.0, was);
     let_go_of_kept(state);
     if (!result.accepted) {
         state.unfinished.nodes = state.nodes;

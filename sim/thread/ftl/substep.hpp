@@ -11,9 +11,9 @@ namespace sim::thread::ftl {
 /// allow, so slack is taken up before anything is dragged (plain Follow-The-Leader drags the far end of a slack thread
 /// as if it were taut). A taut thread that must slide round things is found quickly only by letting it follow its
 /// leader. Drawn over walls, through ten bites, it must slide along itself: neither is found. Where strands are jammed
-/// in each other and no answer is found for them, what presses stays where it is and the slack around it answers: a
+/// in each other and no solution is found for them, what presses stays where it is and the slack around it moves: a
 /// knot pulled tight must not hold up the hands that let go of it. What is unfinished is gone on with.
-enum class Answer {
+enum class Method {
     drift,              ///< All nodes move as little as the lengths allow.
     follow_the_leader,  ///< Every node follows the one before it from the hold outwards.
     slide,              ///< The thread moves along itself.
@@ -39,15 +39,15 @@ class Stepper {
     /// Moves tools and held nodes to where they are at State::progress, by at most `way` [m], and lets the thread
     /// respond. It is undone unless the result is within tolerance or no worse than what was there: so a thread that
     /// cannot follow stays as it is and the tools wait.
-    Substep attempt(State& state, double way, Answer answer, Effort effort);
+    Substep attempt(State& state, double way, Method method, Effort effort);
     /// What attempts have cost since it was last set to 0, in passes over contacts and lengths.
     int& work() { return relaxation_.work; }
 
   private:
     void keep_what_presses(State& state);
     void let_go_of_kept(State& state);
-    void begin_answer(State& state, double way, Answer answer);
-    double try_answer(State& state, double way, Answer answer, Effort effort);
+    void begin_with(State& state, double way, Method method);
+    double try_method(State& state, double way, Method method, Effort effort);
 
     Relaxation relaxation_;
     FollowLeader leader_;

@@ -14,7 +14,7 @@ static bool is_near(const State& state, const Row& row) {
 }
 
 // Where something else may press on the link too, it is pinched, or may be: two pushes that work against each other
-// have no answer.
+// have no solution.
 static bool is_alone(const State& state, const Row& row) {
     return std::none_of(state.rows.begin(), state.rows.end(), [&](const Row& other) {
         return other.link == row.link && &other != &row && other.distance < other.thickness + state.def.radius;
