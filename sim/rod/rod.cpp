@@ -42,10 +42,11 @@ Rod::Rod(const RodDef& def, std::vector<Vec3> nodes) : def_(def) {
     now_.nodes = std::move(nodes);
     now_.velocity.assign(now_.nodes.size(), Vec3::Zero());
     now_.tension.assign(now_.nodes.size() - 1, 0);
-    for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k) rest_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
+    for (std::size_t k = 0; k + 1 < now_.nodes.size(); ++k)
+        rest_length_.push_back((now_.nodes[k + 1] - now_.nodes[k]).norm());
     natural_.assign(now_.nodes.size(), 0);
     measure(now_.nodes, links_);
-    for (std::size_t i = 1; i < rest_.size() && def_.keeps_shape; ++i)
+    for (std::size_t i = 1; i < rest_length_.size() && def_.keeps_shape; ++i)
         natural_[i] = (links_[i].along - links_[i - 1].along).norm();
     resize();
     const Vec3 first = (now_.nodes[1] - now_.nodes[0]).normalized();
@@ -57,12 +58,12 @@ void Rod::resize() {
     force_.resize(now_.nodes.size());
     mass_.assign(now_.nodes.size(), 0);
     twisted_length_ = softest_ = stiffest_ = 0;
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
-        const double l = rest_[k];
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
+        const double l = rest_length_[k];
         if (is_cut(k)) continue;
         for (const std::size_t i : {k, k + 1}) mass_[i] += 0.5 * l * def_.mass_per_length();
         // From the middle of the first link to that of the last: links themselves do not twist.
-        if (k > 0) twisted_length_ += 0.5 * (rest_[k - 1] + l);
+        if (k > 0) twisted_length_ += 0.5 * (rest_length_[k - 1] + l);
         // A billionth of a bend's stiffness keeps what nothing holds from being nought, and moves nothing: it is
         // against the last iterate.
         softest_ = std::max(softest_, 1e-9 * def_.bending_stiffness() / (l * l * l));
@@ -76,7 +77,7 @@ void Rod::reserve(std::size_t links) {
                            &newton_, &spread_, &trial_})
         of_nodes->reserve(links + 1);
     for (auto* of_links :
-         {&rest_, &mass_, &inert_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_})
+         {&rest_length_, &mass_, &inert_, &natural_, &now_.tension, &foreseen_, &lengths_, &pivot_, &upper_, &shorten_})
         of_links->reserve(links + 1);
     held_.reserve(links + 1);
     for (auto* measured : {&links_, &tried_}) measured->reserve(links);
@@ -98,37 +99,38 @@ static constexpr double most_turn = 0.3;
 
 double Rod::largest_turn() const {
     double largest = 0;
-    for (std::size_t k = 0; k < rest_.size(); ++k)
-        if (!is_cut(k)) largest = std::max((newton_[k + 1] - newton_[k]).norm() / rest_[k], largest);
+    for (std::size_t k = 0; k < rest_length_.size(); ++k)
+        if (!is_cut(k)) largest = std::max((newton_[k + 1] - newton_[k]).norm() / rest_length_[k], largest);
     return largest;
 }
 
 // Of links as long as the step makes them, without their turning.
 void Rod::foresee_tensions() {
-    foreseen_.resize(rest_.size());
-    for (std::size_t k = 0; k < rest_.size(); ++k)
-        foreseen_[k] = is_cut(k)
-                           ? 0
-                           : def_.axial_stiffness(rest_[k]) *
-                                 ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_[k] - 1);
+    foreseen_.resize(rest_length_.size());
+    for (std::size_t k = 0; k < rest_length_.size(); ++k)
+        foreseen_[k] =
+            is_cut(k)
+                ? 0
+                : def_.axial_stiffness(rest_length_[k]) *
+                      ((links_[k].length + links_[k].along.dot(newton_[k + 1] - newton_[k])) / rest_length_[k] - 1);
 }
 
 // Into trial_: nodes along the step, with links as long as it foresees: turning stretches them to second order, and so
 // stiff are they that nothing else could be seen in the energy.
 void Rod::try_share(double share) {
     trial_.resize(now_.nodes.size());
-    lengths_.resize(rest_.size());
+    lengths_.resize(rest_length_.size());
     for (std::size_t i = 0; i < trial_.size(); ++i) trial_[i] = now_.nodes[i] + share * newton_[i];
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
         if (is_cut(k)) continue;
-        const double then = rest_[k] * (1 + foreseen_[k] / def_.axial_stiffness(rest_[k]));
+        const double then = rest_length_[k] * (1 + foreseen_[k] / def_.axial_stiffness(rest_length_[k]));
         lengths_[k] = links_[k].length + share * (then - links_[k].length);
     }
     bring_to(lengths_, trial_);
 }
 
 void Rod::take_trial(double share) {
-    for (std::size_t k = 0; k < rest_.size(); ++k) now_.tension[k] += share * (foreseen_[k] - now_.tension[k]);
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) now_.tension[k] += share * (foreseen_[k] - now_.tension[k]);
     accept(trial_);
 }
 
@@ -193,10 +195,10 @@ void Rod::accept(const std::vector<Vec3>& x) {
 bool Rod::foresaw_tensions() {
     constexpr double enough = 1e-3;  // of the bending stiffness at a node, whose sign it might change
     bool so = true;
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
         const double now = tension(static_cast<int>(k));
-        so = so &&
-             (is_cut(k) || std::abs(now - now_.tension[k]) < enough * def_.bending_stiffness() / (rest_[k] * rest_[k]));
+        so = so && (is_cut(k) || std::abs(now - now_.tension[k]) <
+                                     enough * def_.bending_stiffness() / (rest_length_[k] * rest_length_[k]));
         now_.tension[k] = now;
     }
     return so;
@@ -310,8 +312,8 @@ void Rod::find_inert() {
     inert_.assign(mass_.size(), 0);
     std::size_t first = 0;
     for (std::size_t i = 0; i < mass_.size(); ++i) {
-        if (i < rest_.size() && !is_cut(i)) continue;
-        const bool whole = i - first == rest_.size(),
+        if (i < rest_length_.size() && !is_cut(i)) continue;
+        const bool whole = i - first == rest_length_.size(),
                    held = std::find(held_.data() + first, held_.data() + i + 1, 1) != held_.data() + i + 1;
         if (!whole && !held) std::copy(mass_.data() + first, mass_.data() + i + 1, inert_.data() + first);
         first = i + 1;
@@ -359,7 +361,7 @@ double Rod::share_within(double most) {
     assert(most >= 0);
     foresee_tensions();
     double share = 1;
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
         const double now = tension(static_cast<int>(k)), then = foreseen_[k];
         if (std::abs(then) > most && std::abs(then) > std::abs(now))
             share = std::min(share, std::max(0.0, most - std::abs(now)) / std::abs(then - now));
@@ -370,9 +372,9 @@ double Rod::share_within(double most) {
 // Whether links at `x` are no longer than they may be, or are: a kink that is pulled straight turns farther than its
 // tensions foresee.
 bool Rod::pulls_within(const std::vector<Vec3>& x) const {
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
         if (is_cut(k)) continue;
-        const double longest = rest_[k] * (1 + def_.most_pull() / def_.axial_stiffness(rest_[k]));
+        const double longest = rest_length_[k] * (1 + def_.most_pull() / def_.axial_stiffness(rest_length_[k]));
         if ((x[k + 1] - x[k]).norm() > std::max(longest, links_[k].length)) return false;
     }
     return true;
@@ -409,8 +411,8 @@ void Rod::find_velocity() {
 void Rod::take_set() {
     if (def_.yield_strain == 0) return;
     measure(now_.nodes, links_);
-    for (std::size_t i = 1; i < rest_.size(); ++i) {
-        const double springs = 0.5 * (rest_[i - 1] + rest_[i]) * def_.yield_curvature(),
+    for (std::size_t i = 1; i < rest_length_.size(); ++i) {
+        const double springs = 0.5 * (rest_length_[i - 1] + rest_length_[i]) * def_.yield_curvature(),
                      bend = (links_[i].along - links_[i - 1].along).norm();
         natural_[i] = std::clamp(natural_[i], std::max(0.0, bend - springs), bend + springs);
     }
@@ -423,7 +425,9 @@ void Rod::end() {
 
 double Rod::tension(int link) const {
     const auto k = static_cast<std::size_t>(link);
-    return is_cut(k) ? 0 : def_.axial_stiffness(rest_[k]) * ((now_.nodes[k + 1] - now_.nodes[k]).norm() / rest_[k] - 1);
+    return is_cut(k) ? 0
+                     : def_.axial_stiffness(rest_length_[k]) *
+                           ((now_.nodes[k + 1] - now_.nodes[k]).norm() / rest_length_[k] - 1);
 }
 
 Vec3 Rod::hold_force(int node) const {

@@ -114,7 +114,7 @@ class Rod {
     /// The n + 1 nodes' velocities [m/s], world frame.
     std::span<const Vec3> velocity() const { return now_.velocity; }
     /// The n links' lengths when nothing pulls [m]; 0 of a cut.
-    std::span<const double> rest_lengths() const { return rest_; }
+    std::span<const double> rest_lengths() const { return rest_length_; }
     /// What each node bends by when unloaded, as the difference of its links' tangents, 0 to 2; n + 1 numbers.
     std::span<const double> natural_bends() const { return natural_; }
     /// The pull that a link bears [N], negative where it is pushed together; 0 of a cut.
@@ -153,7 +153,7 @@ class Rod {
         Vec3 pull, aside;
         double own;
     };
-    bool is_cut(std::size_t link) const { return rest_[link] == 0; }
+    bool is_cut(std::size_t link) const { return rest_length_[link] == 0; }
     static void measure(const std::vector<Vec3>& x, std::vector<Link>& links);
     double energy_of(const std::vector<Link>& links) const;
 
@@ -206,12 +206,12 @@ class Rod {
     RodReport try_step(const RodInput& input, double seconds, int most);
 
     RodDef def_;
-    std::vector<double> rest_, mass_;    // per link [m], per node [kg]
-    std::vector<double> inert_;          // what of the mass has inertia in this step [kg]
-    std::vector<double> natural_;        // bend of an unloaded node, as the difference of tangents
-    double twisted_length_ = 0;          // [m]
-    double softest_ = 0, stiffest_ = 0;  // [N/m] added to every node, and of a link against stretch
-    double stiff_ = 0;                   // [N/m] of contact
+    std::vector<double> rest_length_, mass_;  // per link [m], per node [kg]
+    std::vector<double> inert_;               // what of the mass has inertia in this step [kg]
+    std::vector<double> natural_;             // bend of an unloaded node, as the difference of tangents
+    double twisted_length_ = 0;               // [m]
+    double softest_ = 0, stiffest_ = 0;       // [N/m] added to every node, and of a link against stretch
+    double stiff_ = 0;                        // [N/m] of contact
 
     /// What a step starts from.
     struct Moving {
@@ -240,7 +240,7 @@ void Rod::for_all_carried(Visit visit) const {
     const auto visit_vector = [&](const Vec3& v) { visit(v.x()), visit(v.y()), visit(v.z()); };
     for (const auto* of_nodes : {&now_.nodes, &now_.velocity})
         for (const Vec3& v : *of_nodes) visit_vector(v);
-    for (const auto* numbers : {&rest_, &natural_, &now_.tension})
+    for (const auto* numbers : {&rest_length_, &natural_, &now_.tension})
         for (const double number : *numbers) visit(number);
     for (const Vec3& director : now_.directors) visit_vector(director);
     visit(now_.turned), visit(now_.twist);

@@ -26,13 +26,13 @@ void Rod::measure(const std::vector<Vec3>& x, std::vector<Link>& links) {
 
 double Rod::energy_of(const std::vector<Link>& links) const {
     double sum = 0;
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
         if (is_cut(k)) continue;
-        const double strain = links[k].length / rest_[k] - 1;
-        sum += 0.5 * def_.axial_stiffness(rest_[k]) * rest_[k] * strain * strain;
+        const double strain = links[k].length / rest_length_[k] - 1;
+        sum += 0.5 * def_.axial_stiffness(rest_length_[k]) * rest_length_[k] * strain * strain;
         if (k == 0) continue;
         const double bend = (links[k].along - links[k - 1].along).norm() - natural_[k];
-        sum += 0.5 * bend_stiffness(def_, rest_[k - 1], rest_[k]) * bend * bend;
+        sum += 0.5 * bend_stiffness(def_, rest_length_[k - 1], rest_length_[k]) * bend * bend;
     }
     return sum;
 }
@@ -49,19 +49,19 @@ double Rod::energy(const std::vector<Vec3>& x, std::vector<Link>& links) {
 }
 
 void Rod::add_stretch(Keep keep) {
-    for (std::size_t k = 0; k < rest_.size(); ++k) {
+    for (std::size_t k = 0; k < rest_length_.size(); ++k) {
         Link& link = links_[k];
         if (is_cut(k)) {
             link.pull = link.aside = Vec3::Zero();
             link.own = 0;
             continue;
         }
-        const double axial = def_.axial_stiffness(rest_[k]);
+        const double axial = def_.axial_stiffness(rest_length_[k]);
         // A link that is pushed together would fall aside.
         const double across = (keep == Keep::whole ? now_.tension[k] : std::max(0.0, now_.tension[k])) / link.length;
-        link.pull = axial * (link.length / rest_[k] - 1) * link.along;
+        link.pull = axial * (link.length / rest_length_[k] - 1) * link.along;
         link.own = across;
-        link.aside = 0.5 * (axial / rest_[k] - across) * link.along;
+        link.aside = 0.5 * (axial / rest_length_[k] - across) * link.along;
     }
 }
 
@@ -73,9 +73,9 @@ static double excess(double natural, double bend) {
 
 // With a natural bend the stiffness is that without one, which is no less.
 void Rod::add_bending(Keep keep) {
-    for (std::size_t k = 0; k + 1 < rest_.size(); ++k) {
+    for (std::size_t k = 0; k + 1 < rest_length_.size(); ++k) {
         Link &a = links_[k], &b = links_[k + 1];
-        const double stiffness = bend_stiffness(def_, rest_[k], rest_[k + 1]), c = a.along.dot(b.along);
+        const double stiffness = bend_stiffness(def_, rest_length_[k], rest_length_[k + 1]), c = a.along.dot(b.along);
         const Vec3 b_off_a = b.along - c * a.along, a_off_b = a.along - c * b.along;
         const double more = stiffness * excess(natural_[k + 1], (b.along - a.along).norm());
         a.pull -= more / a.length * b_off_a, b.pull -= more / b.length * a_off_b;
@@ -92,7 +92,7 @@ void Rod::add_bending(Keep keep) {
 // Second derivative of the bend between a link and the next by their vectors.
 Block Rod::cross(std::size_t link) const {
     const Link &a = links_[link], &b = links_[link + 1];
-    const double s = -bend_stiffness(def_, rest_[link], rest_[link + 1]) / (a.length * b.length),
+    const double s = -bend_stiffness(def_, rest_length_[link], rest_length_[link + 1]) / (a.length * b.length),
                  c = a.along.dot(b.along);
     const Vec3 of_a = -s * (a.along - c * b.along), of_b = -s * b.along;
     Block block = a.along * of_a.transpose() + b.along * of_b.transpose();
@@ -109,7 +109,7 @@ static void put(double* column, const Block& own, const Block& next, const Block
 
 // From the links' vectors to the nodes that they lie between.
 void Rod::spread_to_nodes() {
-    const std::size_t n = rest_.size();
+    const std::size_t n = rest_length_.size();
     Block own_before = Block::Zero(), cross_before = Block::Zero();
     for (std::size_t i = 0; i <= n; ++i) {
         Block own = Block::Zero(), crossing = Block::Zero();
