@@ -223,7 +223,7 @@ class Rod {
     } now_;
 
     // Of the step that is being made.
-    std::vector<Vec3> due_;  // ways of held nodes, where there are any [m]
+    std::vector<Vec3> due_;  // displacements of held nodes, where there are any [m]
     std::vector<Vec3> start_, led_, aim_, loads_, force_, gradient_, newton_, spread_, trial_;
     std::vector<char> held_;
     std::optional<double> turn_;

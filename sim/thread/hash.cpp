@@ -109,7 +109,7 @@ void add_own(Hash& hash, const elastic::State& state) {
 
 void add_all_of(Hash& hash, const ftl::State& state) {
     const ftl::Unfinished& unfinished = state.unfinished;
-    for (const double number : {state.drift_way, double(state.slides), double(state.settled),
+    for (const double number : {state.drift_path, double(state.slides), double(state.settled),
                                 double(unfinished.step_control), unfinished.share, double(unfinished.tries)})
         hash.add(number);
     hash.add_counted(state.drift, state.following, state.step_controls, unfinished.nodes, state.wraps, state.on_steel,
@@ -134,7 +134,7 @@ std::uint64_t hash_of(const Mover& mover) {
     for (const Contact& c : state.contacts) hash.add(c.measured - 2 * c.measured_at);
     add_following(hash, mover);
     hash.add(state.moved);
-    hash.add(ftl ? ftl->state().drift_way : 0);
+    hash.add(ftl ? ftl->state().drift_path : 0);
     add_paces(hash, mover);
     std::visit([&](const auto& one) { add_own(hash, one.state()); }, mover);
     return hash.value();

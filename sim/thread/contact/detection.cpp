@@ -112,15 +112,15 @@ bool Detection::scene_changed(State& state) {
 }
 
 // What was beyond reach cannot touch before something has moved by half the rest. Held nodes and tools that are asked
-// to go `way` need that much room besides, for what has not been looked at bounds every node.
-bool Detection::is_due(State& state, double way) {
+// to go `path` need that much room besides, for what has not been looked at bounds every node.
+bool Detection::is_due(State& state, double path) {
     const double touching = 2 * state.def.radius, unseen = looked_around * state.def.radius - 2 * state.moved;
-    const bool roomy = unseen > touching && (state.moved == 0 || bound_share * unseen > 2 * way);
+    const bool roomy = unseen > touching && (state.moved == 0 || bound_share * unseen > 2 * path);
     return scene_changed(state) || !roomy;
 }
 
-bool Detection::look_at_tools(State& state, double way) {
-    if (!is_due(state, way)) return false;
+bool Detection::look_at_tools(State& state, double path) {
+    if (!is_due(state, path)) return false;
     state.reach = looked_around * state.def.radius;
     state.moved = 0;
     state.contacts.clear();
@@ -131,8 +131,8 @@ bool Detection::look_at_tools(State& state, double way) {
 }
 
 // Strands first, then tools, then walls.
-bool Detection::look_around(State& state, double way) {
-    const bool looked = look_at_tools(state, way);
+bool Detection::look_around(State& state, double path) {
+    const bool looked = look_at_tools(state, path);
     if (!state.is_rest_due) return looked;
     state.is_rest_due = false;
     const auto of_tools = static_cast<std::ptrdiff_t>(state.contacts.size());

@@ -15,11 +15,11 @@ class Detection {
     explicit Detection(std::size_t most_links);
 
     /// Finds every pair within State::reach of each other, where it is not known already, with room for held nodes and
-    /// tools to go `way` [m] from here; returns whether it had to look.
-    bool look_around(State& state, double way);
+    /// tools to go `path` [m] from here; returns whether it had to look.
+    bool look_around(State& state, double path);
     /// Finds only what tools are near; the next look_around() sees the rest, and before it contacts serve for nothing
-    /// else. `way` and the result are as in look_around().
-    bool look_at_tools(State& state, double way);
+    /// else. `path` and the result are as in look_around().
+    bool look_at_tools(State& state, double path);
 
   private:
     /// A link's middle and half its length [m]: most pairs are told apart by these.
@@ -28,7 +28,7 @@ class Detection {
         double half;
     };
     bool scene_changed(State& state);
-    bool is_due(State& state, double way);
+    bool is_due(State& state, double path);
     void detect_self(State& state);
     void detect_capsules(State& state);
     void detect_surface(State& state);

@@ -148,7 +148,7 @@ void measure_tool_gaps(State& state) {
         if (c.against == Against::capsule) measure(state, c);
 }
 
-void measure_gaps(State& state, double way) {
+void measure_gaps(State& state, double path) {
     // Things not among the contacts were farther than `reach`.
     std::fill(state.bound.begin(), state.bound.end(), bound_share * std::max(0.0, state.reach - 2 * state.moved));
     state.rows.clear();
@@ -166,7 +166,7 @@ void measure_gaps(State& state, double way) {
     for (Row& row : state.rows) row.target = std::min(row.thickness, row.distance + for_parting * room(row, least));
     // A thread follows its leader: no node needs to go much farther than what is held, and what is out of that reach
     // needs no row. Thrice is seldom enough to be missed; a quarter of a radius is for parting strands.
-    const double most_move = way > 0 ? std::max(3 * way, 0.25 * state.def.radius) : state.reach;
+    const double most_move = path > 0 ? std::max(3 * path, 0.25 * state.def.radius) : state.reach;
     for (double& bound : state.bound) bound = std::min(bound, most_move);
     std::erase_if(state.rows, [&](const Row& row) { return row.distance >= row.thickness + 2 * room(row, most); });
     merge_walls(state);

@@ -5,8 +5,8 @@
 namespace sim::thread::contact {
 
 /// Measures the gaps of all contacts as the nodes stand, the bound of each node from them, and the rows, where held
-/// nodes and tools are asked to go `way` [m]. O(contacts).
-void measure_gaps(State& state, double way);
+/// nodes and tools are asked to go `path` [m]. O(contacts).
+void measure_gaps(State& state, double path);
 /// Measures only how far links are from tools; rows are not to be used before measure_gaps().
 void measure_tool_gaps(State& state);
 

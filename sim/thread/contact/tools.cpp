@@ -41,8 +41,8 @@ double unseen_room(const State& state) {
 
 double share_beside(const State& state, const Contact& c) {
     const MovingCapsule& tool = state.input.capsules[static_cast<std::size_t>(c.other)];
-    const Vec3 way = tool.to.a - tool.from.a + c.place * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
-    return std::max(state.def.radius, c.gap - c.thickness) / way.norm();
+    const Vec3 displacement = tool.to.a - tool.from.a + c.place * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
+    return std::max(state.def.radius, c.gap - c.thickness) / displacement.norm();
 }
 
 }  // namespace sim::thread::contact

@@ -25,8 +25,8 @@ static double room_in(const State& state, const Row& row) {
 // A tool presses on a link, which while it hardly is in it responds within the step.
 static double share_of_tool(const State& state, const Row& row) {
     const MovingCapsule& tool = state.input.capsules[at(row.other)];
-    const Vec3 way = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
-    const double into = way.dot(row.normal),
+    const Vec3 displacement = tool.to.a - tool.from.a + row.t * (tool.to.b - tool.to.a - tool.from.b + tool.from.a);
+    const double into = displacement.dot(row.normal),
                  room = depth_of(row) < 0.6 * deepest(state) ? deepest(state) : room_in(state, row);
     return into > room ? room / into : 1;
 }
@@ -58,11 +58,11 @@ static bool is_in_jaws(const State& state, std::size_t hold) {
 // it must not come out, when it does.
 double Advance::share_at_walls(const State& state, std::size_t hold) const {
     const int node = state.input.holds[hold].node;
-    const Vec3 way = state.input.holds[hold].target - state.hold_from[hold];
-    double share = std::min(1.0, std::max(state.def.radius, room_at_walls_[at(node)]) / way.norm());
+    const Vec3 displacement = state.input.holds[hold].target - state.hold_from[hold];
+    double share = std::min(1.0, std::max(state.def.radius, room_at_walls_[at(node)]) / displacement.norm());
     if (!is_in_jaws(state, hold)) return share;
     for (const Row& row : state.rows) {
-        const double into = -share_of_node(row, node) * way.dot(row.normal), room = room_in(state, row);
+        const double into = -share_of_node(row, node) * displacement.dot(row.normal), room = room_in(state, row);
         if (is_at_wall(row, node) && into > room) share = std::min(share, room / into);
     }
     return share;

@@ -28,7 +28,7 @@ struct ContactConstraint {
     Vec3 across = Vec3::Zero();  ///< How its points move for a unit push along the normal [m/N].
     Eigen::Matrix3d along = {};  ///< The push across the normal that undoes a slip [N/m].
     Vec3 before = Vec3::Zero();  ///< The push as a sweep began [N].
-    Vec3 way = Vec3::Zero();     ///< Search direction of the sweeps [N].
+    Vec3 search = Vec3::Zero();  ///< Search direction of the sweeps [N].
     Pair pair;                   ///< Where it acts, and its push as the step began.
     std::array<Eigen::Index, 4> place{};  ///< First axis of each of those nodes among all that touch.
     std::array<int, 2> piece{-1, -1};     ///< Pieces of the thread that it touches; none: -1.
@@ -46,6 +46,6 @@ struct ContactSet {
 };
 
 /// How far the nodes' step that was found takes a row's points apart, tools and walls left where they are [m].
-Vec3 way_of(const State& state, const Row& row);
+Vec3 displacement_of(const State& state, const Row& row);
 
 }  // namespace sim::thread::elastic

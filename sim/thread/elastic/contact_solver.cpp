@@ -35,10 +35,11 @@ static void measure_own(ContactConstraint& contact, const Mat3& diagonal_block) 
     contact.along = along * (along * own * along + own.trace() * n * n.transpose()).inverse() * along;
 }
 
-Vec3 way_of(const State& state, const Row& row) {
+Vec3 displacement_of(const State& state, const Row& row) {
     const std::span<const Vec3> step = state.rod.step_found();
-    const auto way = [&](int link, double s) { return Vec3((1 - s) * step[at(link)] + s * step[at(link + 1)]); };
-    return row.against == Against::thread ? Vec3(way(row.link, row.s) - way(row.other, row.t)) : way(row.link, row.s);
+    const auto moved = [&](int link, double s) { return Vec3((1 - s) * step[at(link)] + s * step[at(link + 1)]); };
+    return row.against == Against::thread ? Vec3(moved(row.link, row.s) - moved(row.other, row.t))
+                                          : moved(row.link, row.s);
 }
 
 // Where the step takes the points of all.
@@ -46,7 +47,7 @@ static void find_apart(const State& state, ContactSet& set) {
     set.apart.resize(3 * set.contacts.size());
     for (std::size_t c = 0; c < set.contacts.size(); ++c) {
         const Row& row = *set.contacts[c].row;
-        const Vec3 apart = apart_of(state, row) + way_of(state, row);
+        const Vec3 apart = apart_of(state, row) + displacement_of(state, row);
         std::copy_n(apart.data(), 3, set.apart.data() + 3 * c);
     }
 }
@@ -87,15 +88,15 @@ double ContactSolver::sweep(ContactSet& set) const {
 void ContactSolver::carry_on(ContactSet& set, double again) {
     for (ContactConstraint& contact : set.contacts) {
         const Vec3 gain = contact.push - contact.before;
-        contact.way *= again;
-        contact.push += contact.way;
-        contact.way += gain;
+        contact.search *= again;
+        contact.push += contact.search;
+        contact.search += gain;
     }
     for (std::size_t i = 0; i < set.apart.size(); ++i) {
         const double gain = set.apart[i] - apart_before_[i];
-        apart_way_[i] *= again;
-        set.apart[i] += apart_way_[i];
-        apart_way_[i] += gain;
+        apart_search_[i] *= again;
+        set.apart[i] += apart_search_[i];
+        apart_search_[i] += gain;
     }
 }
 
@@ -113,7 +114,7 @@ int ContactSolver::sweep_until_still(ContactSet& set) {
                                      // its thickness every half second
     constexpr int most_sweeps = 60;
     double last = 0;
-    apart_way_.assign(set.apart.size(), 0.0);
+    apart_search_.assign(set.apart.size(), 0.0);
     for (int sweeps = 1;; ++sweeps) {
         for (ContactConstraint& contact : set.contacts) contact.before = contact.push;
         apart_before_ = set.apart;

@@ -44,7 +44,7 @@ class ContactSolver {
     DelassusMatrix delassus_;
     NormalSolver normals_;
     std::vector<double> apart_before_;  // ContactSet::apart as a sweep began
-    std::vector<double> apart_way_;     // where sweeps lead
+    std::vector<double> apart_search_;  // where sweeps lead
 };
 
 /// Islands of contacts, each solved by itself.

@@ -159,8 +159,8 @@ static bool is_inner(const State& state, const Row& row) {
 // degrees, beyond which no more is made up for.
 static double for_corners(const State& state, const Row& row) {
     if (row.against != Against::capsule || !is_inner(state, row)) return 1;
-    const auto way = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
-    const double sine = std::max(0.0, 0.5 * (way(row.link - 1) - way(row.link + 1)).dot(row.normal)),
+    const auto tangent = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
+    const double sine = std::max(0.0, 0.5 * (tangent(row.link - 1) - tangent(row.link + 1)).dot(row.normal)),
                  s2 = std::min(sine * sine, 0.75);
     return 1 + s2 * (1.0 / 6 + s2 * (3.0 / 40 + s2 * (15.0 / 336)));
 }
@@ -170,8 +170,8 @@ static double for_corners(const State& state, const Row& row) {
 // for a friction of 0.2, up to a right angle, beyond which no more is taken off.
 static double for_rims(const State& state, const Row& row) {
     if (row.against != Against::surface || !is_inner(state, row)) return 1;
-    const auto way = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
-    const Vec3 before = way(row.link - 1), after = way(row.link + 1);
+    const auto tangent = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
+    const Vec3 before = tangent(row.link - 1), after = tangent(row.link + 1);
     const double sine = before.cross(after).norm(), cosine = before.dot(after);
     if (cosine <= 0) return 0.25 * 3.14159265358979;
     return sine > 0 ? geometry::portable_atan2(sine, 1 + cosine) * (1 + cosine) / sine : 1;

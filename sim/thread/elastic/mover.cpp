@@ -61,7 +61,7 @@ double Mover::share_within_bounds() const {
             limit((set_.apart_of(c) - contact::apart_of(state, *contact.row)).norm(), most);
     }
     for (const Row& row : state.rows)
-        if (is_far(state, row)) limit(-way_of(state, row).dot(row.normal), row.distance - row.target);
+        if (is_far(state, row)) limit(-displacement_of(state, row).dot(row.normal), row.distance - row.target);
     return share;
 }
 
@@ -70,9 +70,9 @@ void Mover::end_step(TickReport& report) {
     State& state = state_;
     double moved = largest_capsule_move(state);
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-        const double way = (state.nodes[i] - state.before[i]).norm();
-        moved = std::max(moved, way);
-        if (way > 0) report.step_over_bound = std::max(report.step_over_bound, way / state.bound[i]);
+        const double move = (state.nodes[i] - state.before[i]).norm();
+        moved = std::max(moved, move);
+        if (move > 0) report.step_over_bound = std::max(report.step_over_bound, move / state.bound[i]);
     }
     state.moved += moved;
     report.pass_throughs += audit_.count_pass_throughs(state);
@@ -103,7 +103,7 @@ void Mover::set_progress(double progress) {
     place_capsules(state);
 }
 
-static double way_of_step(const State& state, double left, const Motion& motion) {
+static double path_of_step(const State& state, double left, const Motion& motion) {
     return std::max(0.5 * state.def.radius, left * motion.most());
 }
 
@@ -111,13 +111,13 @@ static double way_of_step(const State& state, double left, const Motion& motion)
 void Mover::respond(double left, double tools, const Motion& motion, TickReport& report) {
     State& state = state_;
     Rod& rod = state.rod;
-    const double way = way_of_step(state, left, motion);
+    const double path = path_of_step(state, left, motion);
     if (motion.of_capsules > 0) {
         set_progress(1 - left * (1 - tools));
         state.moved += largest_capsule_move(state);
     }
-    detection_.look_around(state, way);
-    measure_gaps(state, way);
+    detection_.look_around(state, path);
+    measure_gaps(state, path);
     contact::aim(state);
     report.contacts = std::max(report.contacts, static_cast<int>(state.rows.size()));
     finder_.find(state, set_.contacts);
@@ -141,7 +141,7 @@ Mover::Left Mover::step(double left, const Motion& motion, TickReport& report) {
     Rod& rod = state.rod;
     state.before = state.nodes;
     state.capsules_before = state.capsules;
-    detection_.look_at_tools(state, way_of_step(state, left, motion));
+    detection_.look_at_tools(state, path_of_step(state, left, motion));
     measure_tool_gaps(state);
     constexpr double by_tools = 0.99;  // of the most pull; the rest is for what the thread does by itself
     const double most = rod.def().most_pull();

@@ -210,9 +210,9 @@ static void add_to_row(Row& row, const Vec3& push) {
 }
 
 void CoupledSolver::go_on_by(double again) {
-    way_ *= again;
-    pushes_ += way_;
-    for (std::size_t c = 0; c < pushed_.size(); ++c) add_to_row(*pushed_[c].row, way_.segment<3>(axes(c)));
+    search_ *= again;
+    pushes_ += search_;
+    for (std::size_t c = 0; c < pushed_.size(); ++c) add_to_row(*pushed_[c].row, search_.segment<3>(axes(c)));
 }
 
 // Where rows of a knot work against each other sweeps alone gain a little less each time, for hundreds of times. What
@@ -222,7 +222,7 @@ double CoupledSolver::solve_pushes(const State& state) {
     constexpr int most_sweeps = 20;
     constexpr double small_enough = 0.3;  // a sweep's overlap is from before it
     double worst = 0, size_before = 0;
-    way_.setZero(pushes_.size());
+    search_.setZero(pushes_.size());
     for (int i = 1; i <= most_sweeps; ++i) {
         pushes_before_ = pushes_;
         worst = sweep(state);
@@ -232,8 +232,8 @@ double CoupledSolver::solve_pushes(const State& state) {
         if (size < size_before && i < most_sweeps)
             go_on_by(size / size_before);
         else
-            way_.setZero();
-        way_ += gain_;
+            search_.setZero();
+        search_ += gain_;
         size_before = size;
     }
     return worst;

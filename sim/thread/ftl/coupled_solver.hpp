@@ -76,7 +76,7 @@ class CoupledSolver {
     PerAxis<Eigen::Dynamic, 1> pushes_;         // of all those rows
     PerAxis<Eigen::Dynamic, 1> pushes_before_;  // as a sweep began
     PerAxis<Eigen::Dynamic, 1> gain_;           // of a sweep
-    PerAxis<Eigen::Dynamic, 1> way_;            // where sweeps lead
+    PerAxis<Eigen::Dynamic, 1> search_;         // where sweeps lead
     Table delassus_;                            // the Delassus matrix: how far points move apart for unit pushes
     Table effects_, multipliers_;               // of unit pushes on lengths, and of the lengths' multipliers to those
     PerAxis<1, Eigen::Dynamic> from_left_;

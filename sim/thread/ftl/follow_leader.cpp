@@ -59,7 +59,7 @@ void place_held(State& state) {
     }
 }
 
-// What two ways have in common: the shorter of them, along their middle, as far as they point the same way.
+// What two displacements have in common: the shorter of them, along their middle, as far as they point the same way.
 static Vec3 common(const Vec3& a, const Vec3& b) {
     const double lengths = a.norm() * b.norm(), along = a.dot(b);
     return along > 0 ? Vec3(along / lengths * std::min(a.norm(), b.norm()) * (a + b).normalized()) : Vec3::Zero();
@@ -80,10 +80,11 @@ void carry_taut_spans(State& state) {
         if (state.is_first(i)) previous = state.nodes.size();
         if (state.inverse_mass[i] > 0) continue;
         if (previous + 1 < i) {
-            const Vec3 way = tautness(state, previous, i) *
-                             common(state.nodes[previous] - state.before[previous], state.nodes[i] - state.before[i]);
+            const Vec3 displacement =
+                tautness(state, previous, i) *
+                common(state.nodes[previous] - state.before[previous], state.nodes[i] - state.before[i]);
             std::fill(state.carried.begin() + static_cast<std::ptrdiff_t>(previous) + 1,
-                      state.carried.begin() + static_cast<std::ptrdiff_t>(i), way);
+                      state.carried.begin() + static_cast<std::ptrdiff_t>(i), displacement);
         }
         previous = i;
     }

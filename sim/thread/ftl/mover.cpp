@@ -98,7 +98,7 @@ void Mover::learn_from_refusal(const Movers& movers, double share) {
     constexpr int most_tries = 12;  // [ticks] that a knot may hold up hands which it does not let pass in the end
     Unfinished& unfinished = state_.unfinished;
     StepControl& step_control = state_.step_controls[movers.step_control];
-    step_control.refused = asked_.ways;
+    step_control.refused = asked_.displacements;
     unfinished.share = share;
     // Begun afresh, because what is around has moved, it is still the same jam.
     if (creeps(step_control) && !state_.rows.empty() && ++unfinished.tries < most_tries) {

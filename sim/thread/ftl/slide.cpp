@@ -31,20 +31,20 @@ bool may_slide(const State& state) {
     }
     for (std::size_t h = 0; h < state.hold_from.size(); ++h) {
         const auto i = at(state.input.holds[h].node);
-        const Vec3 way = state.input.holds[h].target - state.hold_from[h];
+        const Vec3 displacement = state.input.holds[h].target - state.hold_from[h];
         const auto pulls = [&](std::size_t follower) {
-            return state.inverse_mass[follower] == 0 || way.dot(state.nodes[i] - state.nodes[follower]) >= 0;
+            return state.inverse_mass[follower] == 0 || displacement.dot(state.nodes[i] - state.nodes[follower]) >= 0;
         };
         if ((!state.is_first(i) && !pulls(i - 1)) || (!state.is_last(i) && !pulls(i + 1))) return false;
-        is_led = is_led || !way.isZero(0);
+        is_led = is_led || !displacement.isZero(0);
     }
     return is_led;
 }
 
-// What rims give back one step draws the tail ahead, and takes up the next. Asked to follow by half the way all the
+// What rims give back one step draws the tail ahead, and takes up the next. Asked to follow by half the path all the
 // time ten bites let half as much through; by a twentieth from the first, slack is dragged along.
 void note_whether_it_slides(State& state) {
-    const double followed = state.slides ? 0.05 : 0.5;  // of the way
+    const double followed = state.slides ? 0.05 : 0.5;  // of the path
     bool is_led = false, follows = true;
     for_each_tail(state, [&](const Tail& tail) {
         if (state.nodes[tail.held] == state.before[tail.held]) return;
@@ -54,12 +54,13 @@ void note_whether_it_slides(State& state) {
     state.slides = may_slide(state) && (is_led ? follows : state.slides);
 }
 
-// The point of the way from the follower's old place to its leader's that is at rest length from the leader's new one.
+// The point of the path from the follower's old place to its leader's that is at rest length from the leader's new one.
 static Vec3 along_itself(const Vec3& leader, const Vec3& leader_was, const Vec3& was, double rest) {
-    const Vec3 way = leader_was - was, off = was - leader;
-    const double a = way.squaredNorm(), b = way.dot(off), c = off.squaredNorm() - rest * rest, root2 = b * b - a * c;
+    const Vec3 displacement = leader_was - was, off = was - leader;
+    const double a = displacement.squaredNorm(), b = displacement.dot(off), c = off.squaredNorm() - rest * rest,
+                 root2 = b * b - a * c;
     const double share = root2 > 0 && a > 0 ? (-b - std::sqrt(root2)) / a : -1;
-    return share >= 0 && share <= 1 ? Vec3(was + share * way) : Vec3(leader + rest * off.stableNormalized());
+    return share >= 0 && share <= 1 ? Vec3(was + share * displacement) : Vec3(leader + rest * off.stableNormalized());
 }
 
 Slide::Slide(std::size_t most_links) {
@@ -80,12 +81,12 @@ void Slide::follow_along(State& state, FollowLeader& leader) {
     leader.follow(state);
 }
 
-double share_of_slide(const State& state, double way) {
+double share_of_slide(const State& state, double path) {
     constexpr double for_following =
         0.3;  // of the bound: a node at a rim is pushed as well, by as much as all rims before it give back
     double share = 1;
     for (std::size_t i = 0; i < state.nodes.size(); ++i)
-        if (state.inverse_mass[i] > 0) share = std::min(share, for_following * state.bound[i] / way);
+        if (state.inverse_mass[i] > 0) share = std::min(share, for_following * state.bound[i] / path);
     return share;
 }
 

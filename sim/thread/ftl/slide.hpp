@@ -11,8 +11,8 @@ bool may_slide(const State& state);
 /// After a substep: notes in State::slides whether the thread may slide and its free ends followed, so that there is no
 /// slack to take up first.
 void note_whether_it_slides(State& state);
-/// The share, 0..1, of a displacement of `way` [m] that the thread can follow in one step by sliding.
-double share_of_slide(const State& state, double way);
+/// The share, 0..1, of a displacement of `path` [m] that the thread can follow in one step by sliding.
+double share_of_slide(const State& state, double path);
 
 /// Moves a strand along itself.
 class Slide {

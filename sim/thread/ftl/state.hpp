@@ -30,7 +30,7 @@ struct StepControl {
     int jams_in_a_row = 0;      ///< Substeps undone at the least trust region since the last good one.
     int waits = 0;              ///< Ticks until what is jammed is tried again.
     bool stuck = false;         ///< Whether, while it waits, not even the slack around the jam can move.
-    std::vector<Vec3> refused;  ///< Asked::ways when a substep was last refused [m].
+    std::vector<Vec3> refused;  ///< Asked::displacements when a substep was last refused [m].
 };
 
 /// A short substep that is not within tolerance yet. The thread stays as it was before it, tools wait, and the next
@@ -50,8 +50,8 @@ struct State : contact::State {
     void size_for_links();
 
     std::vector<Vec3> drift;        ///< n + 1: how each node moved in the last substep, not carried along [m].
-    double drift_way = 0;           ///< How far held nodes or tools went in that substep [m].
-    std::vector<double> following;  ///< n + 1: share of drift_way that each node went.
+    double drift_path = 0;          ///< How far held nodes or tools went in that substep [m].
+    std::vector<double> following;  ///< n + 1: share of drift_path that each node went.
     std::vector<StepControl>
         step_controls;      ///< Step-size control of all tools together, of nobody's holds, then of each tool alone.
     Unfinished unfinished;  ///< The substep to go on with.

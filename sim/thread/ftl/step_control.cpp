@@ -7,17 +7,17 @@
 namespace sim::thread::ftl {
 
 void Asked::collect(const State& state, const Movers& movers) {
-    ways.clear();
+    displacements.clear();
     for (std::size_t h = 0; h < state.hold_from.size(); ++h)
         if (movers.include(state.input.hold_owners[h]))
-            ways.push_back(state.input.holds[h].target - state.hold_from[h]);
-    const std::size_t of_holds = ways.size();
+            displacements.push_back(state.input.holds[h].target - state.hold_from[h]);
+    const std::size_t of_holds = displacements.size();
     for (const MovingCapsule& c : state.input.capsules)
-        if (movers.include(c.owner)) ways.insert(ways.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
+        if (movers.include(c.owner)) displacements.insert(displacements.end(), {c.to.a - c.from.a, c.to.b - c.from.b});
     motion = {};
-    for (std::size_t i = 0; i < ways.size(); ++i) {
+    for (std::size_t i = 0; i < displacements.size(); ++i) {
         double& longest = i < of_holds ? motion.of_holds : motion.of_capsules;
-        longest = std::max(longest, ways[i].norm());
+        longest = std::max(longest, displacements[i].norm());
     }
 }
 
@@ -25,12 +25,12 @@ void Asked::collect(const State& state, const Movers& movers) {
 bool Asked::is_much_the_same(const State& state, const std::vector<Vec3>& refused) const {
     constexpr double turn = 0.25;  // [rad]
     const double still = 1e-3 * state.def.radius;
-    const auto direction = [&](const Vec3& way) -> Vec3 {
-        return way.norm() > still ? way.stableNormalized() : Vec3::Zero();
+    const auto direction = [&](const Vec3& displacement) -> Vec3 {
+        return displacement.norm() > still ? displacement.stableNormalized() : Vec3::Zero();
     };
-    return std::equal(ways.begin(), ways.end(), refused.begin(), refused.end(), [&](const Vec3& a, const Vec3& b) {
-        return (direction(a) - direction(b)).squaredNorm() <= turn * turn;
-    });
+    return std::equal(
+        displacements.begin(), displacements.end(), refused.begin(), refused.end(),
+        [&](const Vec3& a, const Vec3& b) { return (direction(a) - direction(b)).squaredNorm() <= turn * turn; });
 }
 
 // A node is expected to go as far as in the last substep, for slack stays slack; no farther than its leader while links
@@ -39,7 +39,7 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
     constexpr double for_following = 0.7;  // of the bound; the rest is for what contacts add
     constexpr double round_steel =
         0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
-    // Tools that only push may be faster than what is held; the last substep's way was of the fastest.
+    // Tools that only push may be faster than what is held; the last substep's path was of the fastest.
     const auto expected = [&](std::size_t node) {
         return std::clamp(state.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds);
     };

@@ -24,8 +24,8 @@ struct Movers {
 
 /// What tools ask for in a tick.
 struct Asked {
-    std::vector<Vec3> ways;  ///< Displacements of what is held, then of the ends of tools' own parts [m].
-    Motion motion;           ///< The longest of them.
+    std::vector<Vec3> displacements;  ///< Displacements of what is held, then of the ends of tools' own parts [m].
+    Motion motion;                    ///< The longest of them.
 
     /// Collects what these tools ask for in this tick.
     void collect(const State& state, const Movers& movers);

@@ -40,12 +40,12 @@ static void begin_pushes(State& state) {
     }
 }
 
-void Stepper::begin_with(State& state, double way, Method method) {
+void Stepper::begin_with(State& state, double path, Method method) {
     begin_pushes(state);
     recall_wraps(state);
-    if (method == Method::drift && state.drift_way > 0) {
+    if (method == Method::drift && state.drift_path > 0) {
         constexpr double going_on = 0.95;  // less drags on what slides, more lets it slide on by itself: knots untie
-        const double share = going_on * std::min(4.0, way / state.drift_way);
+        const double share = going_on * std::min(4.0, path / state.drift_path);
         for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
     }
     place_held(state);
@@ -62,7 +62,7 @@ static void begin_slide(State& state) {
     place_held(state);
 }
 
-double Stepper::try_method(State& state, double way, Method method, Effort effort) {
+double Stepper::try_method(State& state, double path, Method method, Effort effort) {
     if (method == Method::slide) {
         begin_slide(state);
         return slide_.slide_along(state, leader_, relaxation_.bends(), relaxation_.work);
@@ -71,7 +71,7 @@ double Stepper::try_method(State& state, double way, Method method, Effort effor
         state.nodes = state.unfinished.nodes;
         place_held(state);
     } else {
-        begin_with(state, way, method);
+        begin_with(state, path, method);
     }
     clip(state);
     return relaxation_.relax(state, effort);
@@ -93,7 +93,7 @@ static double largest_move_over_bound(const State& state) {
     return worst;
 }
 
-Substep Stepper::attempt(State& state, double way, Method method, Effort effort) {
+Substep Stepper::attempt(State& state, double path, Method method, Effort effort) {
     double was = worst_stretch(state, state.nodes) / stretch_tolerance;
     for (const Row& row : state.rows) was = std::max(was, over_limit(state, row));
     state.before = state.nodes;
@@ -101,7 +101,7 @@ Substep Stepper::attempt(State& state, double way, Method method, Effort effort)
     place_capsules(state);
     Substep result;
     if (method == Method::keep_what_presses) keep_what_presses(state);
-    result.accepted = try_method(state, way, method, effort) <= std::max(1.0, was);
+    result.accepted = try_method(state, path, method, effort) <= std::max(1.0, was);
     let_go_of_kept(state);
     if (!result.accepted) {
         state.unfinished.nodes = state.nodes;
@@ -113,11 +113,11 @@ Substep Stepper::attempt(State& state, double way, Method method, Effort effort)
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
         const Vec3 moved = state.nodes[i] - state.before[i];
         state.drift[i] = moved - state.carried[i];
-        state.following[i] = way > 0 ? moved.norm() / way : 1;
+        state.following[i] = path > 0 ? moved.norm() / path : 1;
     }
-    if (way > 0) note_whether_it_slides(state);
+    if (path > 0) note_whether_it_slides(state);
     remember_wraps(state);
-    state.drift_way = way;
+    state.drift_path = path;
     const double moved = largest_move(state);
     state.moved += moved;
     state.settled = moved == 0;

@@ -36,18 +36,18 @@ class Stepper {
     /// Measures bends anew, after links have changed.
     void resize(const State& state) { relaxation_.resize(state); }
 
-    /// Moves tools and held nodes to where they are at State::progress, by at most `way` [m], and lets the thread
+    /// Moves tools and held nodes to where they are at State::progress, by at most `path` [m], and lets the thread
     /// respond. It is undone unless the result is within tolerance or no worse than what was there: so a thread that
     /// cannot follow stays as it is and the tools wait.
-    Substep attempt(State& state, double way, Method method, Effort effort);
+    Substep attempt(State& state, double path, Method method, Effort effort);
     /// What attempts have cost since it was last set to 0, in passes over contacts and lengths.
     int& work() { return relaxation_.work; }
 
   private:
     void keep_what_presses(State& state);
     void let_go_of_kept(State& state);
-    void begin_with(State& state, double way, Method method);
-    double try_method(State& state, double way, Method method, Effort effort);
+    void begin_with(State& state, double path, Method method);
+    double try_method(State& state, double path, Method method, Effort effort);
 
     Relaxation relaxation_;
     FollowLeader leader_;

@@ -211,7 +211,7 @@ TEST(HashOfAllCarried, SeesEachMemberOfAThreadByFollowTheLeader) {
     expect_shared_members_count(ftl);
     const auto expect = [&](const char* what, const auto& change) { expect_another_hash(ftl, what, change); };
     expect("drift", [](auto& s) { s.drift[3].x() += 1e-9; });
-    expect("drift_way", [](auto& s) { s.drift_way += 1e-9; });
+    expect("drift_path", [](auto& s) { s.drift_path += 1e-9; });
     expect("following", [](auto& s) { s.following[3] += 0.1; });
     expect("step_controls", [](auto& s) { s.step_controls.at(0).waits += 1; });
     expect("refused", [](auto& s) { s.step_controls.at(0).refused.push_back(Vec3::UnitX()); });

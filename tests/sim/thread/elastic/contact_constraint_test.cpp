@@ -109,7 +109,7 @@ Vec3 pushed(State& state) {
 
 // A thread that rests on a wall where two of its triangles meet is now nearer to one and now to the other. What it
 // presses with, and what of that sticks, is the wall's; to another that faces another way it is nothing.
-TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
+TEST(ContactConstraints, GoOnWhereTheNextTriangleOfAWallIsNearest) {
     const Vec3 push(0.1, 0.05, 1), turned = Vec3(std::sin(0.1), 0, std::cos(0.1)),
                                    aside = Vec3(std::sin(0.5), 0, std::cos(0.5));
     State state(Cut::thread(), Cut::line());
@@ -127,7 +127,7 @@ TEST(Presses, GoOnWhereTheNextTriangleOfAWallIsNearest) {
 // Contacts of one piece, between two and with no node that moves, in any order, against all nodes at once by Eigen's
 // dense inverse. What one push moves is moved by push_more(). Of contacts that share no piece nothing is written, and
 // nothing is read.
-TEST(Presses, AnswerPieceByPieceAsAllNodesAtOnceDo) {
+TEST(ContactConstraints, MovePieceByPieceAsAllNodesAtOnceDo) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
