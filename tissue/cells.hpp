@@ -8,17 +8,17 @@ namespace tissue {
 /// together.
 struct Cells {
     static constexpr std::size_t lanes = 4;            ///< Cells that are looked at together.
-    static constexpr std::size_t most_nodes = 8;       ///< Of one cell.
-    static constexpr std::size_t most_tetrahedra = 6;  ///< Of one cell.
-    static constexpr std::size_t most_pairs = most_nodes * (most_nodes - 1) / 2;  ///< Of nodes of one cell.
+    static constexpr std::size_t most_nodes = 8;       ///< Most nodes of a cell.
+    static constexpr std::size_t most_tetrahedra = 6;  ///< Most tetrahedra of a cell.
+    static constexpr std::size_t most_pairs = most_nodes * (most_nodes - 1) / 2;  ///< Most pairs of nodes.
 
-    std::array<std::array<int, lanes>, most_nodes> nodes{};  ///< Of each cell; of fewer cells the last one again.
+    std::array<std::array<int, lanes>, most_nodes> nodes{};  ///< Nodes of each cell; unused places repeat the last.
     std::size_t count = 0;                                   ///< Nodes of each cell.
     /// Corners of their tetrahedra, as places in `nodes`.
     std::array<std::array<unsigned char, 4>, most_tetrahedra> corners{};
-    std::size_t tetrahedra = 0;  ///< Of each cell.
+    std::size_t tetrahedra = 0;  ///< Tetrahedra of each cell.
     std::size_t used = 0;        ///< How many cells, 1 to `lanes`.
-    Lane rest_volume;            ///< Of each cell [m^3].
+    Lane rest_volume;            ///< Volume of each cell at rest [m^3].
 };
 
 /// All cells of a mesh, maybe in another order. Each has at most eight nodes and six tetrahedra.
@@ -26,8 +26,8 @@ std::vector<Cells> cells_of(const Mesh& mesh);
 
 /// Volumes of cells, and how they change with their nodes.
 struct Volumes {
-    Lane value;                                     ///< Of each cell [m^3], negative where it is inside out.
-    std::array<Lanes, Cells::most_nodes> gradient;  ///< By each node [m^2].
+    Lane value;                                     ///< Volume of each cell [m^3], negative where it is inside out.
+    std::array<Lanes, Cells::most_nodes> gradient;  ///< Derivative of the volumes by each node's place [m^2].
 };
 /// The volumes of cells whose mesh has its nodes here [m].
 Volumes volumes(const Cells& cells, std::span<const Vec3> nodes);

@@ -8,7 +8,8 @@ using sim::geometry::Capsule;
 
 /// How hard what touches a wall is. SI.
 struct ContactDef {
-    /// Of each contact [N/m]. Solved implicitly: however stiff, it stays stable; with less things sink in further.
+    /// Stiffness of each contact [N/m]. Solved implicitly: however stiff, it stays stable; with less things sink in
+    /// further.
     double stiffness = 500;
     /// Coulomb's coefficient, of a friction that creeps: what is held aslant slips by some um a second.
     double friction = 0;
@@ -19,7 +20,7 @@ struct ContactDef {
 /// the radius, before a step, counts as passed. Deterministic; allocates only for more contacts than ever before.
 class CapsuleContact {
   public:
-    /// Of parts as stiff and rough as this.
+    /// Makes contact with parts as stiff and rough as this.
     explicit CapsuleContact(const ContactDef& def) : def_(def) {}
 
     /// Appends to `forces` what pushes the wall out of the capsule `now`; with friction the wall is drawn along as the
@@ -52,7 +53,7 @@ class CapsuleContact {
 /// only for more contacts than ever before.
 class WallContact {
   public:
-    /// For walls of this thickness, the thinner of two, above 0 [m].
+    /// Makes contact of walls of this thickness, the thinner of two, above 0 [m].
     WallContact(const ContactDef& def, double thickness) : def_(def), thickness_(thickness) {}
 
     /// Two walls; appends to the forces of each. 2 us where their boxes are apart, some 160 us for two vessels of 900

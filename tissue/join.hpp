@@ -8,41 +8,42 @@ namespace tissue {
 /// One of two vessels whose ends were sewn together. Both are at rest in one frame, one end facing the other.
 struct SewnVessel {
     const Mesh& rest;             ///< Its wall, with a cut and a lumen.
-    const Skin& skin;             ///< As it is now, with its holes.
+    const Skin& skin;             ///< Its surface as it is now, with its holes.
     std::span<const Bite> bites;  ///< All of them.
-    Vec3 axis = Vec3::UnitX();    ///< At rest next to the cut, unit, towards the cut or away.
+    Vec3 axis = Vec3::UnitX();    ///< Its axis at rest next to the cut, unit, either way.
 };
 
 /// A piece of the suture line, along the outer rim of vessel 0; from there to the inner rim it has a segment across the
 /// cut.
 struct LinePiece {
-    double place = 0;   ///< Of its middle along the rim at rest [m].
-    double length = 0;  ///< At rest [m].
+    double place = 0;   ///< Place of its middle along the rim at rest [m].
+    double length = 0;  ///< Length along the rim at rest [m].
     double gap = 0;     ///< Least distance of the segment to the other vessel's skin; 0 where it is in that wall [m].
     /// How far from the other vessel's rim, at rest, that vessel's nearest outer or inner side is; 0 where there is a
     /// gap of a wall or more [m].
     double overlap = 0;
-    double width = 0;  ///< Now, mean of both rims [m].
+    double width = 0;  ///< Length now, mean of both rims [m].
 };
 
 /// An open bite, judged.
 struct SewnBite {
     int vessel = 0;           ///< 0 or 1.
     int bite = 0;             ///< Its number there.
-    int pass = 0;             ///< As Bite::pass.
-    bool partial = false;     ///< As Bite::partial().
-    bool both_walls = false;  ///< As Bite::both_walls.
-    /// From its end on the outer side to the outer rim, the farther if both ends are there; at rest [m]. 0: neither is.
+    int pass = 0;             ///< The same as Bite::pass.
+    bool partial = false;     ///< The same as Bite::partial().
+    bool both_walls = false;  ///< The same as Bite::both_walls.
+    /// Distance of its end on the outer side from the outer rim, at rest [m]: of the farther one if both ends are
+    /// there, 0 if neither is.
     double size = 0;
-    double depth = 0;        ///< Of the needle below the skin [m].
-    double place = 0;        ///< Along the outer rim at rest [m].
-    double angle = 0;        ///< Of that place about vessel 0's axis at rest [rad].
-    double through = 0;      ///< From hole to hole at rest [m].
-    double inside = 0;       ///< From the end that is not `size`'s to its rim at rest [m].
-    double strain = 0;       ///< By which its straight distance to the outer rim has become less; negative: more.
+    double depth = 0;        ///< How deep the needle was below the skin [m].
+    double place = 0;        ///< Where it is along the outer rim at rest [m].
+    double angle = 0;        ///< Angle of that place about vessel 0's axis at rest [rad].
+    double through = 0;      ///< Distance from hole to hole at rest [m].
+    double inside = 0;       ///< Distance of the end that is not `size`'s from its rim at rest [m].
+    double strain = 0;       ///< Share by which its straight distance to the outer rim has become less; negative: more.
     double hole = 0;         ///< Longest diameter of its longer hole, by the wall's stretch there [m].
-    double hole_radius = 0;  ///< At rest [m].
-    bool torn = false;       ///< As Bite::torn.
+    double hole_radius = 0;  ///< Radius of its hole at rest [m].
+    bool torn = false;       ///< The same as Bite::torn.
     int thread = -1;         ///< Number of the thread that goes through both its holes; none: -1.
     double along = 0;        ///< Place of its middle along that thread [m].
     double outer_along = 0;  ///< Place of `size`'s end along that thread [m].
@@ -51,9 +52,10 @@ struct SewnBite {
 /// The thread goes from one vessel to the other: a bite in each, next to each other along the thread. Where one pass
 /// made several, those farthest from the other vessel count.
 struct Stitch {
-    std::array<int, 2> bites;  ///< In vessel 0 and 1, as numbers in Join::bites.
-    double arc = 0;            ///< Between them round the ring, 0 to half a turn [rad].
-    /// Between the line that joins their outer ends and straight across the cut, both vessels at rest and met [rad].
+    std::array<int, 2> bites;  ///< The bites in vessel 0 and 1, as numbers in Join::bites.
+    double arc = 0;            ///< Angle between them round the ring, 0 to half a turn [rad].
+    /// Angle between the line that joins their outer ends and straight across the cut, both vessels at rest and met
+    /// [rad].
     double obliqueness = 0;
     /// Thread between the outer ends over the length of its path along the wall; 0: not known.
     double loop = 0;
@@ -61,13 +63,13 @@ struct Stitch {
 
 /// What is left of an operation. SI.
 struct Join {
-    double diameter = 0;                         ///< Of the thread [m].
+    double diameter = 0;                         ///< Diameter of the thread [m].
     double wall = 0;                             ///< Thickness of vessel 0 along its cut at rest [m].
     double rim = 0;                              ///< Length of vessel 0's outer rim at rest [m].
     std::vector<LinePiece> line;                 ///< The suture line, piece by piece round the rim.
     std::vector<SewnBite> bites;                 ///< Sorted by thread and place along it; those without a thread first.
-    std::vector<Stitch> stitches;                ///< In their order along the threads.
-    std::array<std::vector<double>, 2> spacing;  ///< From stitch to stitch round each outer rim, at rest [m].
+    std::vector<Stitch> stitches;                ///< Stitches in their order along the threads.
+    std::array<std::vector<double>, 2> spacing;  ///< Distances from stitch to stitch round each outer rim, at rest [m].
     double arc_of_pass = 0;      ///< The widest between bites of one vessel in one pass, round the ring [rad].
     double lumen_ratio = 1;      ///< The lesser of both vessels' (lumen.hpp).
     double thread_in_lumen = 0;  ///< Length of thread deeper than its diameter in the lumen [m].

@@ -7,16 +7,16 @@ namespace tissue {
 /// A vessel and the rims that face the other one.
 struct SewnEnd {
     const SewnVessel& vessel;  ///< Whose end it is.
-    Rim outer, inner;          ///< Of its cut.
+    Rim outer, inner;          ///< Rims of its cut.
 
-    std::span<const Vec3> nodes() const { return vessel.skin.nodes(); }  ///< Of its wall now [m].
+    std::span<const Vec3> nodes() const { return vessel.skin.nodes(); }  ///< Nodes of its wall now [m].
 };
 
 /// The frame in which places on both rims are compared: across vessel 0's axis.
 struct Around {
     Vec3 x, y;  ///< Unit, across the axis and each other.
 
-    double angle(const SewnEnd& end, double place) const;  ///< Of a place on an end's outer rim at rest [rad].
+    double angle(const SewnEnd& end, double place) const;  ///< Angle of a place on an end's outer rim, at rest [rad].
 };
 /// That frame for the end of vessel 0.
 Around around(const SewnEnd& end);

@@ -7,7 +7,7 @@ namespace tissue {
 /// constant, one number for each pair of nodes of a cell, kept in rows.
 class Laplacian {
   public:
-    /// Of a mesh at rest.
+    /// Assembles it for a mesh at rest. O(cells).
     explicit Laplacian(const Mesh& mesh);
 
     /// The product L x, one entry a node: x in [m] gives [m^2] in `to`, which is resized.

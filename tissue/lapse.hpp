@@ -8,25 +8,25 @@ namespace tissue {
 struct LapseLimits {
     double gap = 0.25;           ///< The suture line is open where its gap is wider than this [walls].
     double open_spacings = 1;    ///< It is disrupted where it is open for longer than this at a stretch [spacings].
-    double arc = 90;             ///< Between bites that one loop joins, round the ring, at most [degrees].
-    double obliqueness = 15;     ///< Of a stitch, at most [degrees].
+    double arc = 90;             ///< Angle round the ring between bites that one loop joins, at most [degrees].
+    double obliqueness = 15;     ///< Obliqueness of a stitch, at most [degrees].
     double bite_walls = 3;       ///< Size of a bite, at most [walls].
     double bite_medians = 1.5;   ///< Size of a bite, at most [medians of all bites].
     double partial_bites = 0;    ///< How many bites may be partial.
-    double least_spacing = 0.6;  ///< From stitch to stitch, at least [means of the same rim's].
-    double most_spacing = 1.5;   ///< From stitch to stitch, at most [means of the same rim's].
+    double least_spacing = 0.6;  ///< Distance from stitch to stitch, at least [means of the same rim's].
+    double most_spacing = 1.5;   ///< Distance from stitch to stitch, at most [means of the same rim's].
     double spacing_variation = 0.25;  ///< Standard deviation of spacings over their mean, at most.
     double hole_diameters = 2;        ///< Length of a hole, at most [diameters of the thread].
     double torn_holes = 0;            ///< How many holes may be torn to the edge.
-    double edge_strain = 0.3;         ///< By how much of its size a bite may be pressed together.
+    double edge_strain = 0.3;         ///< Share of its size that a bite may be pressed together by.
     double least_loop = 0.8;          ///< Loop over the length of its path along the wall, at least.
     double depth_diameters = 1;       ///< How deep thread may be in the lumen [diameters of the thread].
-    double overlap_walls = 1;         ///< By how much the ends may overlap [walls].
+    double overlap_walls = 1;         ///< How far the ends may overlap [walls].
 };
 
 /// One kind of mistake that an opened join shows.
 struct Lapse {
-    const char* name;  ///< Of the kind.
+    const char* name;  ///< What the kind is called.
     /// What value and limit are of, with their unit: of several measures the first that is over its limit, else the
     /// first.
     const char* measure = "";

@@ -5,8 +5,8 @@ namespace tissue {
 
 /// What runs out, and how hard it is pressed. Blood at 100 mmHg.
 struct Fluid {
-    double density = 1055;      ///< Of blood [kg/m^3].
-    double viscosity = 3.5e-3;  ///< Of blood in a wide vessel [Pa s].
+    double density = 1055;      ///< Mass per volume [kg/m^3]; blood's.
+    double viscosity = 3.5e-3;  ///< Dynamic viscosity [Pa s]; blood's in a wide vessel.
     double pressure = 13332;    ///< Inside over outside [Pa], not negative.
 };
 

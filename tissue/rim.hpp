@@ -9,9 +9,10 @@ namespace tissue {
 /// Where a cut meets another side of the wall: a closed line of edges. A place on it is how far along it is at rest
 /// [m], from 0 to length.
 struct Rim {
-    std::vector<int> nodes;  ///< In order, the cut to its left seen from outside the wall; the first is not repeated.
-    std::vector<double> places;  ///< Of the nodes, at rest [m].
-    double length = 0;           ///< At rest [m].
+    std::vector<int>
+        nodes;  ///< Nodes in order, the cut to its left seen from outside the wall; the first is not repeated.
+    std::vector<double> places;  ///< Places of the nodes, at rest [m].
+    double length = 0;           ///< Length of the whole line at rest [m].
 };
 
 /// All closed lines of edges that a face of Side::cut shares with one of `side`: its outer rims, or its inner ones. By
@@ -20,8 +21,8 @@ std::vector<Rim> rims(const Mesh& rest, Side side);
 
 /// A point of a rim that is nearest to another point.
 struct RimPoint {
-    double place;     ///< Along the rim [m].
-    double distance;  ///< From that other point [m].
+    double place;     ///< Where it is along the rim [m].
+    double distance;  ///< How far it is from the other point [m].
 };
 /// The point of a rim nearest to a point of the wall, both at rest [m]. Some 10 ns for each edge of the rim.
 RimPoint nearest(const Rim& rim, const Mesh& rest, const Vec3& point);

@@ -15,7 +15,7 @@ struct Identity {
     bool known = true;                    ///< Whether the type is in the table and was found with the work allowed.
     bool certain = true;                  ///< Whether only one type of the table is left.
     std::vector<std::string> candidates;  ///< Names of the types that are left when not certain.
-    int crossings = 0;                    ///< Of the types when known, else of the smallest diagram seen.
+    int crossings = 0;  ///< Least crossings of the type when known, else of the smallest diagram seen.
 
     /// The factors' names joined by '#', "0_1" without any, "unknown" when not known.
     std::string name() const;

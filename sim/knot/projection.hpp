@@ -14,7 +14,7 @@ std::optional<Diagram> project(const Polygons& polygons, const Vec3& view, int m
 /// An open strand seen along `view`, without any closing edge: not the diagram of a knot yet, see joined_ends().
 struct OpenDiagram {
     Diagram diagram;                ///< One strand, its passages from the first vertex to the last.
-    std::vector<double> positions;  ///< Of each passage: index of its edge plus the place along it, 0 to 1.
+    std::vector<double> positions;  ///< Per passage, the index of its edge plus the place along it, 0 to 1.
 };
 /// The open strand seen along `view`; nothing, and at what cost, as project() says.
 std::optional<OpenDiagram> project_open(const std::vector<Vec3>& strand, const Vec3& view, int most);

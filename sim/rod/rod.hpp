@@ -20,16 +20,16 @@ using geometry::Vec3;
 struct RodInput {
     std::span<const Hold> holds;       ///< Nodes that go where they are put.
     std::span<const Vec3> loads = {};  ///< Force on each node [N], or none.
-    std::span<const MovingCapsule> bodies =
-        {};  ///< What nodes rest on and slide over, the same ones in every step; in step() alone.
+    /// What nodes rest on and slide over, the same ones in every step; in step() alone.
+    std::span<const MovingCapsule> bodies = {};
     /// Angle by which the cross-section of the last link has been turned against that of the first about the rod,
     /// beyond what they were made with [rad]; nothing where one of them is free to turn, and the rod carries no twist.
     std::optional<double> turn = {};
     /// Force that may stay unbalanced at a node [N]; nothing: fifty times what the rounding of its place does to the
     /// stiffest link.
     std::optional<double> tolerance = {};
-    std::span<const char> asleep =
-        {};  ///< Per node: whether it stays where it is, as held nodes do that go nowhere; or none.
+    /// Whether each node stays where it is, as held nodes do that go nowhere; or none.
+    std::span<const char> asleep = {};
 };
 
 /// A force between two points of the rod, or on a point of it.
@@ -37,7 +37,7 @@ struct Pair {
     std::array<int, 4> node{};       ///< The points lie apart by the sum of weight * node, and what is not the rod's.
     std::array<double, 4> weight{};  ///< Share of each node in its point, -1..1; negative for the other point's nodes.
     int nodes = 0;                   ///< How many entries of `node` and `weight` count, 0 to 4.
-    Vec3 force = Vec3::Zero();       ///< On what has positive weight [N].
+    Vec3 force = Vec3::Zero();       ///< Force on the point of positive weight [N]; the other bears the opposite.
 };
 
 /// A link that rolls on what it is pressed against: turning it towards the normal moves where it touches, and that

@@ -5,7 +5,7 @@ namespace sim::rod {
 
 /// What an elastic thread is made of. SI.
 struct RodDef {
-    double radius = 0.0425e-3;  ///< Of the round cross-section [m].
+    double radius = 0.0425e-3;  ///< Radius of the round cross-section [m].
     double young = 2.8e9;       ///< Young's modulus along the thread [Pa].
     double bending_share = 1;   ///< The share of `young` that counts in bending: below 1 where a braid's fibres slide.
     double poisson = 0.5;       ///< Poisson's ratio; it acts on the twisting stiffness alone.

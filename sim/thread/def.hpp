@@ -21,7 +21,7 @@ using rod::RodDef;
 
 /// What a thread is. SI; n links between n + 1 nodes.
 struct ThreadDef {
-    double radius = 0.0425e-3;      ///< Of the round cross-section [m]; 6-0 is 0.085 mm thick.
+    double radius = 0.0425e-3;      ///< Radius of the round cross-section [m]; 6-0 is 0.085 mm thick.
     double friction = 0.15;         ///< Coulomb coefficient, thread on thread and on surfaces.
     double friction_tool = 0.15;    ///< Coulomb coefficient, thread on moving capsules.
     double axial_stiffness = 15.9;  ///< Young's modulus times cross-section [N]; scales the tension estimate only.

@@ -37,7 +37,7 @@ class Thread {
     /// quarter of it, that as well. `held` as in fit_links; -1 where a node is no more. False, and nothing is cut,
     /// where either piece would have no link left. May allocate; O(n).
     bool cut(int link, double share, std::span<int> held);
-    /// Of the links that can be cut in their middle, the one whose outermost fibres bear most: a bend of curvature k,
+    /// The link, of those that can be cut in their middle, whose outermost fibres bear most: a bend of curvature k,
     /// beyond what it keeps when unloaded, adds radius * k of what the link carries, so a knotted thread breaks where
     /// it enters the knot [Pieranski et al. 2001]. -1: none carries anything.
     int most_loaded() const;
