@@ -355,4 +355,17 @@ TEST(Cut, WhatWasTautIsSlack) {
     }
 }
 
+// A caller that breaks its promise is told which, where assertions are on.
+#ifndef NDEBUG
+TEST(CutDeathTest, NamesThePromiseThatWasBroken) {
+    Thread thread(ftl(), straight(4));
+    const Hold beyond[] = {{5, Vec3::Zero()}};
+    constexpr int owners[] = {0};
+    EXPECT_DEATH(thread.cut(4, 0.5, {}), "a link of the thread");
+    EXPECT_DEATH(thread.tick({beyond, owners, {}}), "a node of the thread");
+    EXPECT_DEATH(thread.tick({beyond, {}, {}}), "an owner for each hold");
+    EXPECT_DEATH(Thread(ftl(), {Vec3::Zero(), Vec3::Zero()}), "links of some length");
+}
+#endif
+
 }  // namespace cutting
