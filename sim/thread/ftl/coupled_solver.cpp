@@ -252,7 +252,7 @@ static double share_within_bounds(const State& state, const std::vector<Vec3>& m
     return share;
 }
 
-// All pushes at once, and what the lengths respond to first order. The pushes alone can be large where a taut
+// All pushes at once, and how the lengths respond to first order. The pushes alone can be large where a taut
 // strand lies on something: only what remains of them after the lengths have answered is a motion.
 void CoupledSolver::move_by_pushes(State& state, const LengthSolver& lengths) {
     std::vector<Vec3>& move = move_;

@@ -52,8 +52,8 @@ struct State : contact::State {
     std::vector<Vec3> drift;        ///< n + 1: how each node moved in the last substep, not carried along [m].
     double drift_path = 0;          ///< How far held nodes or tools went in that substep [m].
     std::vector<double> following;  ///< n + 1: share of drift_path that each node went.
-    std::vector<StepControl>
-        step_controls;      ///< Step-size control of all tools together, of nobody's holds, then of each tool alone.
+    /// Step-size control of all tools together, of nobody's holds, then of each tool alone.
+    std::vector<StepControl> step_controls;
     Unfinished unfinished;  ///< The substep to go on with.
     bool slides = false;    ///< Whether what is led is taut over walls and follows along itself.
     /// Whether nothing moved and nothing is violated, so that a tick without motion does nothing.
