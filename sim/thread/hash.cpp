@@ -68,11 +68,11 @@ class Hash {
 // What Follow-The-Leader remembers of its last substep. An elastic thread remembers nothing of the kind: for it
 // recordings hold what a thread that has never drifted nor been refused would say.
 void add_drift(Hash& hash, const Mover& mover) {
-    if (const auto* ftl = std::get_if<ftl::Mover>(&mover)) return hash.add(ftl->state().drift);
+    if (const auto* ftl = std::get_if<ftl::Mover>(&mover)) return hash.add(ftl->state().last.drift);
     for (std::size_t i = 0; i < state_of(mover).nodes.size(); ++i) hash.add(Vec3(Vec3::Zero()));
 }
 void add_following(Hash& hash, const Mover& mover) {
-    if (const auto* ftl = std::get_if<ftl::Mover>(&mover)) return hash.add(ftl->state().following);
+    if (const auto* ftl = std::get_if<ftl::Mover>(&mover)) return hash.add(ftl->state().last.following);
     for (std::size_t i = 0; i < state_of(mover).nodes.size(); ++i) hash.add(1);
 }
 void add_paces(Hash& hash, const Mover& mover) {
@@ -85,7 +85,7 @@ void add_paces(Hash& hash, const Mover& mover) {
 void add_own(Hash& hash, const ftl::State& state) {
     hash.add(state.settled);
     if (state.slides) hash.add(1);
-    hash.add(state.wraps);
+    hash.add(state.last.wraps);
     hash.add(state.pulled);
     hash.add(state.unfinished.step_control);
     if (state.unfinished.step_control < 0) return;
@@ -109,11 +109,11 @@ void add_own(Hash& hash, const elastic::State& state) {
 
 void add_all_of(Hash& hash, const ftl::State& state) {
     const ftl::Unfinished& unfinished = state.unfinished;
-    for (const double number : {state.drift_path, double(state.slides), double(state.settled),
+    for (const double number : {state.last.path, double(state.slides), double(state.settled),
                                 double(unfinished.step_control), unfinished.share, double(unfinished.tries)})
         hash.add(number);
-    hash.add_counted(state.drift, state.following, state.step_controls, unfinished.nodes, state.wraps, state.on_steel,
-                     state.pulled, state.pulled_before, state.carried);
+    hash.add_counted(state.last.drift, state.last.following, state.step_controls, unfinished.nodes, state.last.wraps,
+                     state.on_steel, state.pulled, state.last.pulled, state.carried);
 }
 
 void add_all_of(Hash& hash, const elastic::State& state) {
@@ -134,7 +134,7 @@ std::uint64_t hash_of(const Mover& mover) {
     for (const Contact& c : state.contacts) hash.add(c.measured - 2 * c.measured_at);
     add_following(hash, mover);
     hash.add(state.moved);
-    hash.add(ftl ? ftl->state().drift_path : 0);
+    hash.add(ftl ? ftl->state().last.path : 0);
     add_paces(hash, mover);
     std::visit([&](const auto& one) { add_own(hash, one.state()); }, mover);
     return hash.value();

@@ -109,7 +109,7 @@ void CapstanSolver::measure_stiffness(const State& state) {
         if (state.is_end(i)) continue;
         line_[i] = (state.nodes[i + 1] - state.nodes[i - 1]).stableNormalized();
         for (const std::size_t k : {i - 1, i})
-            stiff_[i] += share * std::max({0.0, -state.pulled[k], -state.pulled_before[k]}) / state.rest_length[k];
+            stiff_[i] += share * std::max({0.0, -state.pulled[k], -state.last.pulled[k]}) / state.rest_length[k];
     }
 }
 

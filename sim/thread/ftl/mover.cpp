@@ -234,18 +234,18 @@ void Mover::split(std::size_t link, double share) {
             (1 - share) * values[link] + share * values[link + 1];
         values.insert(values.begin() + static_cast<std::ptrdiff_t>(link) + 1, between);
     };
-    insert_between(state_.drift);
-    insert_between(state_.following);
+    insert_between(state_.last.drift);
+    insert_between(state_.last.following);
 }
 
 void Mover::join_at(std::size_t node) {
-    erase(state_.drift, node, node + 1);
-    erase(state_.following, node, node + 1);
+    erase(state_.last.drift, node, node + 1);
+    erase(state_.last.following, node, node + 1);
 }
 
 void Mover::leave_out(std::size_t first, std::size_t second) {
-    erase(state_.drift, first + 1, second);
-    erase(state_.following, first + 1, second);
+    erase(state_.last.drift, first + 1, second);
+    erase(state_.last.following, first + 1, second);
 }
 
 void Mover::renew() {

@@ -49,7 +49,7 @@ void note_whether_it_slides(State& state) {
     for_each_tail(state, [&](const Tail& tail) {
         if (state.nodes[tail.held] == state.before[tail.held]) return;
         is_led = true;
-        follows = follows && state.following[tail.end] >= followed;
+        follows = follows && state.last.following[tail.end] >= followed;
     });
     state.slides = may_slide(state) && (is_led ? follows : state.slides);
 }

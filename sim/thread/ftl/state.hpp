@@ -42,6 +42,15 @@ struct Unfinished {
     std::vector<Vec3> nodes;  ///< n + 1: where nodes have come to so far [m].
 };
 
+/// What a substep leaves to the next one.
+struct LastSubstep {
+    std::vector<Vec3> drift;        ///< n + 1: how each node moved, not carried along [m].
+    double path = 0;                ///< How far held nodes or tools went [m].
+    std::vector<double> following;  ///< n + 1: share of `path` that each node went.
+    std::vector<Wrap> wraps;        ///< n: what is known of each link's wrap.
+    std::vector<double> pulled;     ///< n: State::pulled as it ended [m].
+};
+
 /// All that a Follow-The-Leader thread carries from tick to tick.
 struct State : contact::State {
     /// Makes it as contact::State's constructor does.
@@ -49,20 +58,16 @@ struct State : contact::State {
     /// Does what contact::State::size_for_links() does, for the members here too.
     void size_for_links();
 
-    std::vector<Vec3> drift;        ///< n + 1: how each node moved in the last substep, not carried along [m].
-    double drift_path = 0;          ///< How far held nodes or tools went in that substep [m].
-    std::vector<double> following;  ///< n + 1: share of drift_path that each node went.
+    LastSubstep last;  ///< What the substep before the one that runs left.
     /// Step-size control of all tools together, of nobody's holds, then of each tool alone.
     std::vector<StepControl> step_controls;
     Unfinished unfinished;  ///< The substep to go on with.
     bool slides = false;    ///< Whether what is led is taut over walls and follows along itself.
     /// Whether nothing moved and nothing is violated, so that a tick without motion does nothing.
     bool settled = false;
-    std::vector<Wrap> wraps;            ///< n: what the last substep left of each link's wrap.
-    std::vector<int> on_steel;          ///< Rows in wraps, one a link, in the order of their links.
-    std::vector<double> pulled;         ///< n: multipliers of the substep's length solves [m]; negative: shortened.
-    std::vector<double> pulled_before;  ///< n: `pulled` of the substep before [m].
-    std::vector<Vec3> carried;          ///< n + 1: how far taut spans went along with their ends in this substep [m].
+    std::vector<int> on_steel;   ///< Rows on steel, one a link, in the order of their links.
+    std::vector<double> pulled;  ///< n: multipliers of the substep's length solves [m]; negative: shortened.
+    std::vector<Vec3> carried;   ///< n + 1: how far taut spans went along with their ends in this substep [m].
 };
 
 }  // namespace sim::thread::ftl

@@ -41,13 +41,13 @@ double admissible_share(const State& state, const Movers& movers, const Motion& 
         0.25;  // of a link: who leaves or comes to lie on steel in this substep is not known yet
     // Tools that only push may be faster than what is held; the last substep's path was of the fastest.
     const auto expected = [&](std::size_t node) {
-        return std::clamp(state.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds);
+        return std::clamp(state.last.following[node] * motion.most(), 0.25 * motion.of_holds, motion.of_holds);
     };
     double share = 1;
     for (std::size_t i = 0; i < state.bound.size() && motion.of_holds > 0; ++i)
         share = std::min(share, for_following * state.bound[i] / expected(i));
-    for (std::size_t k = 0; k < state.wraps.size() && motion.of_holds > 0; ++k)
-        if (state.wraps[k].presses) share = std::min(share, round_steel * state.rest_length[k] / expected(k));
+    for (std::size_t k = 0; k < state.last.wraps.size() && motion.of_holds > 0; ++k)
+        if (state.last.wraps[k].presses) share = std::min(share, round_steel * state.rest_length[k] / expected(k));
     if (const double unseen = unseen_room(state); motion.of_capsules * share > unseen)
         share = unseen / motion.of_capsules;
     for (const Contact& c : state.contacts)

@@ -32,7 +32,7 @@ void Stepper::let_go_of_kept(State& state) {
 }
 
 static void begin_pushes(State& state) {
-    state.pulled_before = state.pulled;
+    state.last.pulled = state.pulled;
     std::fill(state.pulled.begin(), state.pulled.end(), 0.0);
     for (Row& row : state.rows) {
         row.normal_push = 0;
@@ -43,10 +43,10 @@ static void begin_pushes(State& state) {
 void Stepper::begin_with(State& state, double path, Method method) {
     begin_pushes(state);
     recall_wraps(state);
-    if (method == Method::drift && state.drift_path > 0) {
+    if (method == Method::drift && state.last.path > 0) {
         constexpr double going_on = 0.95;  // less drags on what slides, more lets it slide on by itself: knots untie
-        const double share = going_on * std::min(4.0, path / state.drift_path);
-        for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.drift[i];
+        const double share = going_on * std::min(4.0, path / state.last.path);
+        for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i] += share * state.last.drift[i];
     }
     place_held(state);
     carry_taut_spans(state);
@@ -112,12 +112,12 @@ Substep Stepper::attempt(State& state, double path, Method method, Effort effort
     }
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
         const Vec3 moved = state.nodes[i] - state.before[i];
-        state.drift[i] = moved - state.carried[i];
-        state.following[i] = path > 0 ? moved.norm() / path : 1;
+        state.last.drift[i] = moved - state.carried[i];
+        state.last.following[i] = path > 0 ? moved.norm() / path : 1;
     }
     if (path > 0) note_whether_it_slides(state);
     remember_wraps(state);
-    state.drift_path = path;
+    state.last.path = path;
     const double moved = largest_move(state);
     state.moved += moved;
     state.settled = moved == 0;

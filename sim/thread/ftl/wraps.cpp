@@ -54,7 +54,7 @@ void recall_wraps(State& state) {
               [&](int a, int b) { return state.rows[at(a)].link < state.rows[at(b)].link; });
     for (const int i : state.on_steel) {
         Row& row = state.rows[at(i)];
-        const Wrap& wrap = state.wraps[at(row.link)];
+        const Wrap& wrap = state.last.wraps[at(row.link)];
         row.in_wrap = true;
         row.pressed = wrap.presses;
         row.friction_ratio = wrap.friction_ratio;
@@ -63,10 +63,10 @@ void recall_wraps(State& state) {
 }
 
 void remember_wraps(State& state) {
-    std::fill(state.wraps.begin(), state.wraps.end(), Wrap{});
+    std::fill(state.last.wraps.begin(), state.last.wraps.end(), Wrap{});
     for (const int i : state.on_steel)
         if (const Row& row = state.rows[at(i)]; row.normal_push > 0)
-            state.wraps[at(row.link)] = {row.friction_ratio, true};
+            state.last.wraps[at(row.link)] = {row.friction_ratio, true};
 }
 
 void lie_on_steel(State& state) {

@@ -210,9 +210,9 @@ TEST(HashOfAllCarried, SeesEachMemberOfAThreadByFollowTheLeader) {
     sim::thread::tick(mover, {holds, owners, {}});
     expect_shared_members_count(ftl);
     const auto expect = [&](const char* what, const auto& change) { expect_another_hash(ftl, what, change); };
-    expect("drift", [](auto& s) { s.drift[3].x() += 1e-9; });
-    expect("drift_path", [](auto& s) { s.drift_path += 1e-9; });
-    expect("following", [](auto& s) { s.following[3] += 0.1; });
+    expect("last.drift", [](auto& s) { s.last.drift[3].x() += 1e-9; });
+    expect("last.path", [](auto& s) { s.last.path += 1e-9; });
+    expect("last.following", [](auto& s) { s.last.following[3] += 0.1; });
     expect("step_controls", [](auto& s) { s.step_controls.at(0).waits += 1; });
     expect("refused", [](auto& s) { s.step_controls.at(0).refused.push_back(Vec3::UnitX()); });
     expect("unfinished.step_control", [](auto& s) { s.unfinished.step_control = 0; });
@@ -221,10 +221,10 @@ TEST(HashOfAllCarried, SeesEachMemberOfAThreadByFollowTheLeader) {
     expect("unfinished.nodes", [](auto& s) { s.unfinished.nodes[3].x() += 1e-9; });
     expect("slides", [](auto& s) { s.slides = !s.slides; });
     expect("settled", [](auto& s) { s.settled = !s.settled; });
-    expect("wraps", [](auto& s) { s.wraps[3].presses = true; });
+    expect("last.wraps", [](auto& s) { s.last.wraps[3].presses = true; });
     expect("on_steel", [](auto& s) { s.on_steel.push_back(0); });
     expect("pulled", [](auto& s) { s.pulled[3] += 1e-9; });
-    expect("pulled_before", [](auto& s) { s.pulled_before[3] += 1e-9; });
+    expect("last.pulled", [](auto& s) { s.last.pulled[3] += 1e-9; });
     expect("carried", [](auto& s) { s.carried[3].x() += 1e-9; });
 }
 
