@@ -3,8 +3,10 @@ JOBS := $(shell nproc)
 DRILL := interrupted-stitch
 
 PREFIX := /usr/local
+# What clang-tidy looks at in `make check`: sources that differ from this commit. A branch: make check SINCE=origin/main
+SINCE := HEAD~
 
-.PHONY: demo test check lint long build bench install package format hashes mutants clean packages
+.PHONY: demo test check lint clang long build bench install package format hashes mutants clean packages
 .DEFAULT_GOAL := build
 
 build: packages
@@ -29,30 +31,33 @@ test: packages
 	@cmake --build build -j$(JOBS)
 	ctest --test-dir build -j$(JOBS) --output-on-failure
 
-# The same with the address and undefined sanitizers, the simulation's own flags unchanged; what would take hours there
-# is left out or plays less.
+# The same with the address and undefined sanitizers, the simulation's own flags unchanged, what would take hours there
+# left out; then the rules of the house, and the second compiler with the tests of sim.
 check: packages
 	@cmake --preset sanitize > /dev/null
 	@cmake --build build/sanitize -j$(JOBS)
 	ctest --test-dir build/sanitize -j$(JOBS) --output-on-failure
+	@$(MAKE) --no-print-directory lint clang
 
-# What the house asks of every line: format, names, lengths, pages. The quick commands that pages show are run.
+# What the house asks of every line: format, names, lengths, pages; clang-tidy where something has changed. The quick
+# commands that pages show are run.
 lint: packages
-	@tools/packages.sh clang-format
+	@tools/packages.sh clang-format clang-tidy
 	@cmake --preset release > /dev/null
 	@cmake --build build -j$(JOBS) --target carrel
 	tools/lint
+	tools/lint --tidy --since $(SINCE)
 	tools/lint --commands
 
-# What takes hours, before a change of the simulation is called done.
+clang: packages
+	@tools/packages.sh clang
+	@cmake --preset clang > /dev/null
+	@cmake --build build/clang -j$(JOBS)
+	ctest --test-dir build/clang -j$(JOBS) --output-on-failure -L '^sim_'
+
+# What takes hours, before a change of the simulation is called done; docs/long.md has its table.
 long: packages
-	@cmake --preset release > /dev/null
-	@cmake --build build -j$(JOBS)
-	CARREL_LONG_HASHES=1 ctest --test-dir build -j$(JOBS) --output-on-failure -R Hashes
-	build/carrel bench ties
-	build/carrel bench elastic-ties
-	for drill in scenarios/drills/*.json; do build/carrel run $$drill || exit 1; done
-	tests/mutants/run.py
+	tests/long.sh
 
 install: packages
 	@cmake --preset release > /dev/null

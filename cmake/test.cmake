@@ -28,6 +28,6 @@ function(carrel_test name)
     CARREL_SOURCE="${PROJECT_SOURCE_DIR}"
     CARREL_PROGRAM="$<TARGET_FILE:carrel>")
   add_dependencies(${name} carrel)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 900 COST ${TEST_COST}
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 900 COST ${TEST_COST}
     ENVIRONMENT LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/lsan.supp:print_suppressions=0)
 endfunction()

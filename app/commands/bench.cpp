@@ -22,8 +22,9 @@ int bench_command(const std::vector<std::string>& arguments) {
     const auto here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
     become(here / name, arguments);
     become(name, arguments);
-    throw std::runtime_error("bench: " + name + " is neither beside this program, in " + here.string() +
-                             ", nor on the path; in the source tree `make build` builds it");
+    throw std::runtime_error(
+        "bench: " + name +
+        " is neither beside this program nor on the path; in the source tree `make build` builds it");
 }
 
 }  // namespace app
