@@ -64,7 +64,7 @@ void World::hold_pieces() {
     std::span<const int> left = held_;
     for (Tool& tool : tools_) {
         std::size_t count = 0;
-        for (const Grasp& grasp : tool.grasps) count += static_cast<std::size_t>(grasp.count);
+        for (const Grasp& grasp : tool.grasps) count += static_cast<std::size_t>(grasp.count());
         hold_pieces(tool, left.first(count));
         left = left.subspan(count);
     }
@@ -76,8 +76,8 @@ void World::hold_pieces(Tool& tool, std::span<const int> held) {
     std::vector<Grasp> pieces;
     const auto hold = [&](int node, const Vec3& anchor) {
         Grasp& piece = pieces.back();
-        if (piece.count == 0) piece.first = node;
-        piece.anchor[static_cast<std::size_t>(piece.count++)] = anchor;
+        if (piece.count() == 0) piece.first = node;
+        piece.anchor.push_back(anchor);
     };
     const auto hold_where_it_is = [&](int node) {
         hold(node, in_tool(tool.now, thread_.nodes()[static_cast<std::size_t>(node)]));
@@ -85,25 +85,26 @@ void World::hold_pieces(Tool& tool, std::span<const int> held) {
     const int last = static_cast<int>(thread_.nodes().size()) - 1;
     std::size_t next = 0;
     for (const Grasp& grasp : tool.grasps) {
-        pieces.push_back({0, 0, {}});
+        pieces.push_back({});
         bool lost = false;  // a node has gone since the last that is left
-        for (int k = 0; k < grasp.count; ++k) {
+        for (int k = 0; k < grasp.count(); ++k) {
             const int node = held[next++];
             if (node < 0) {
                 lost = true;
                 continue;
             }
-            if (pieces.back().count == 0 && lost && node > 0 && !thread_.is_cut(node - 1)) hold_where_it_is(node - 1);
-            for (int i = pieces.back().count > 0 ? pieces.back().first + pieces.back().count : node; i <= node; ++i) {
-                if (pieces.back().count > 0 && thread_.is_cut(i - 1)) pieces.push_back({0, 0, {}});
+            if (pieces.back().count() == 0 && lost && node > 0 && !thread_.is_cut(node - 1)) hold_where_it_is(node - 1);
+            for (int i = pieces.back().count() > 0 ? pieces.back().first + pieces.back().count() : node; i <= node;
+                 ++i) {
+                if (pieces.back().count() > 0 && thread_.is_cut(i - 1)) pieces.push_back({});
                 if (i < node) hold_where_it_is(i);
             }
             hold(node, grasp.anchor[static_cast<std::size_t>(k)]);
             lost = false;
         }
-        const int end = pieces.back().first + pieces.back().count;  // the node after the last
-        if (lost && pieces.back().count > 0 && end <= last && !thread_.is_cut(end - 1)) hold_where_it_is(end);
-        if (pieces.back().count > 0) continue;
+        const int end = pieces.back().first + pieces.back().count();  // the node after the last
+        if (lost && pieces.back().count() > 0 && end <= last && !thread_.is_cut(end - 1)) hold_where_it_is(end);
+        if (pieces.back().count() > 0) continue;
         pieces.pop_back();
         log(EventKind::release, tool.def.name, 0);
     }

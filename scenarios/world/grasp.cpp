@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "scenarios/world/jaws.hpp"
@@ -14,16 +15,17 @@ namespace {
 // The closing jaws lay the strand flat between their inner faces; each link keeps its length and, in the plane of the
 // jaws, its direction.
 void flatten(Grasp& grasp, const JawRoom& room) {
-    const int middle = grasp.count / 2;
+    const int middle = grasp.count() / 2;
     const auto half_gap = [&](const Vec3& at) { return room.half_gap(at.z()); };
     const Vec3& centre = grasp.anchor[static_cast<std::size_t>(middle)];
     const double half = half_gap(centre), shift = std::clamp(centre.x(), -half, half) - centre.x();
-    for (int k = 0; k < grasp.count; ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
-    const auto was = grasp.anchor;
+    for (int k = 0; k < grasp.count(); ++k) grasp.anchor[static_cast<std::size_t>(k)].x() += shift;
+    Vec3 leader_was = Vec3::Zero();
     const auto lay = [&](int from, int to) {
         const Vec3 &leader = grasp.anchor[static_cast<std::size_t>(from)],
-                   &follower = was[static_cast<std::size_t>(to)];
-        Vec3 d = follower - was[static_cast<std::size_t>(from)];
+                   follower = grasp.anchor[static_cast<std::size_t>(to)];
+        Vec3 d = follower - leader_was;
+        leader_was = follower;
         const double length2 = d.squaredNorm(), gap = half_gap(follower);
         d.x() = std::clamp(follower.x(), -gap, gap) - leader.x();
         const double flat2 = d.y() * d.y() + d.z() * d.z(), wanted2 = std::max(0.0, length2 - d.x() * d.x());
@@ -35,16 +37,18 @@ void flatten(Grasp& grasp, const JawRoom& room) {
         }
         grasp.anchor[static_cast<std::size_t>(to)] = leader + d;
     };
-    for (int k = middle; k + 1 < grasp.count; ++k) lay(k, k + 1);
+    const Vec3 middle_was = leader_was = centre;
+    for (int k = middle; k + 1 < grasp.count(); ++k) lay(k, k + 1);
+    leader_was = middle_was;
     for (int k = middle; k > 0; --k) lay(k, k - 1);
 }
 
 // The least distance between strands in one pair of jaws, `most` at most [m].
-double apart(const std::vector<Grasp>& grasps, double most) {
+double apart(std::span<const Grasp> grasps, double most) {
     double least2 = most * most;
     const auto meet = [&](const Grasp& one, const Grasp& other) {
-        for (int i = 0; i + 1 < one.count; ++i)
-            for (int k = 0; k + 1 < other.count; ++k) {
+        for (int i = 0; i + 1 < one.count(); ++i)
+            for (int k = 0; k + 1 < other.count(); ++k) {
                 const Vec3 *a = &one.anchor[static_cast<std::size_t>(i)],
                            *b = &other.anchor[static_cast<std::size_t>(k)];
                 least2 = std::min(least2, sim::geometry::closest_points(a[0], a[1], b[0], b[1]).distance_squared);
@@ -65,23 +69,22 @@ bool joins(const sim::thread::Thread& thread, int link) {
     return link >= 0 && link < static_cast<int>(thread.rest_lengths().size()) && !thread.is_cut(link);
 }
 
-// The strand that jaws of this width hold by a link which passes through their middle plane y = 0, or ends in it: the
-// nodes within the jaws and one beyond on either side. So the first free link starts outside the metal: one between the
-// jaws with a free end would be wedged in them. No nodes where the link does not pass.
+// Into a grasp that holds nothing: the strand that jaws of this width hold by a link which passes through their middle
+// plane y = 0, or ends in it: the nodes within the jaws and one beyond on either side. So the first free link starts
+// outside the metal: one between the jaws with a free end would be wedged in them. No nodes where the link does not
+// pass.
 template <class Place, class IsFree, class IsJoined>
-Grasp strand_between(const JawRoom& room, double width, int link, const Place& place, const IsFree& is_free,
-                     const IsJoined& is_joined) {
+void hold_strand(Grasp& grasp, const JawRoom& room, double width, int link, const Place& place, const IsFree& is_free,
+                 const IsJoined& is_joined) {
     const auto within = [&](int k) { return is_free(k) && room.holds(place(k), width); };
     int from = link, to = link + 1;
-    if (!is_joined(link) || !is_free(from) || !is_free(to)) return {};
+    if (!is_joined(link) || !is_free(from) || !is_free(to)) return;
     const bool ends = (!is_joined(from - 1) && within(from)) || (!is_joined(to) && within(to));
-    if (!room.is_passed_by(place(from), place(to)) && !ends) return {};
-    const auto take = [&](int k) { return is_free(k) && to - from + 2 < Grasp::most; };
-    while (is_joined(from - 1) && take(from - 1) && within(from)) --from;
-    while (is_joined(to) && take(to + 1) && within(to)) ++to;
-    Grasp grasp{from, to - from + 1, {}};
-    for (int k = from; k <= to; ++k) grasp.anchor[static_cast<std::size_t>(k - from)] = place(k);
-    return grasp;
+    if (!room.is_passed_by(place(from), place(to)) && !ends) return;
+    while (is_joined(from - 1) && is_free(from - 1) && within(from)) --from;
+    while (is_joined(to) && is_free(to + 1) && within(to)) ++to;
+    grasp.first = from;
+    for (int k = from; k <= to; ++k) grasp.anchor.push_back(place(k));
 }
 
 }  // namespace
@@ -91,7 +94,7 @@ bool World::is_held(int node) const {
         if (node == needle.node || node == needle.node + 1) return true;
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
-            if (node >= grasp.first && node < grasp.first + grasp.count) return true;
+            if (node >= grasp.first && node < grasp.first + grasp.count()) return true;
     return false;
 }
 
@@ -104,14 +107,15 @@ void World::take_hold(Tool& tool) {
     const auto is_free = [&](int k) { return !is_held(k); };
     const auto is_joined = [&](int link) { return joins(thread_, link); };
     for (int i = 0; i < static_cast<int>(thread_.rest_lengths().size()); ++i) {
-        const Grasp grasp = strand_between(room, tool.shape.jaw_radius, i, place, is_free, is_joined);
-        if (grasp.count == 0) continue;
+        Grasp grasp;
+        hold_strand(grasp, room, tool.shape.jaw_radius, i, place, is_free, is_joined);
+        if (grasp.count() == 0) continue;
         tool.grasps.push_back(grasp);
         log(EventKind::grasp, tool.def.name,
             1e3 *
                 std::accumulate(thread_.rest_lengths().begin(), thread_.rest_lengths().begin() + grasp.middle(), 0.0));
         ++measures_.grasps[static_cast<std::size_t>(&tool - tools_.data())];
-        i = grasp.first + grasp.count - 1;
+        i = grasp.first + grasp.count() - 1;
     }
 }
 
@@ -141,11 +145,13 @@ void World::update_grasps() {
 void World::close_onto_strands(int number) {
     Tool& tool = tools_[static_cast<std::size_t>(number)];
     const JawRoom room(tool.shape, tool.now.jaw);
-    flat_ = tool.grasps;
-    for (Grasp& grasp : flat_) flatten(grasp, room);
+    if (flat_.size() < tool.grasps.size()) flat_.resize(tool.grasps.size());
+    const std::span flat = std::span(flat_).first(tool.grasps.size());
+    std::copy(tool.grasps.begin(), tool.grasps.end(), flat.begin());
+    for (Grasp& grasp : flat) flatten(grasp, room);
     const double thickness = 2 * thread_.def().radius;
-    if (apart(flat_, thickness) >= apart(tool.grasps, thickness)) {
-        tool.grasps.swap(flat_);
+    if (apart(flat, thickness) >= apart(tool.grasps, thickness)) {
+        std::swap_ranges(flat.begin(), flat.end(), tool.grasps.begin());
     } else {
         tool.now.jaw = tool.before.jaw;
         tool_world_.set_pose(number, tool.now);
@@ -160,7 +166,7 @@ double World::pull_on(const Grasp& grasp) const {
 
 // How far a strand of `ftl` slides in this tick: the tool's lag, less the share of it that the grip bears [m].
 Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
-    const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count / 2)];
+    const Vec3 anchor = grasp.anchor[static_cast<std::size_t>(grasp.count() / 2)];
     const Vec3 lag = tool.asked.pose.position + tool.asked.pose.rotation * anchor -
                      thread_.nodes()[static_cast<std::size_t>(grasp.middle())];
     return -((1 - tool.shape.grip_force / pull_on(grasp)) * lag);
@@ -172,12 +178,12 @@ Vec3 World::slide_by_lag(const Tool& tool, const Grasp& grasp) const {
 // straight.
 Vec3 World::slide_by_stretch(const Tool& tool, const Grasp& grasp) const {
     const bool ahead = tension_after(grasp) > tension_before(grasp);
-    const int inner = ahead ? grasp.first + grasp.count - 1 : grasp.first, outwards = ahead ? 1 : -1,
+    const int inner = ahead ? grasp.first + grasp.count() - 1 : grasp.first, outwards = ahead ? 1 : -1,
               link = ahead ? inner : inner - 1;
     const double excess = pull_on(grasp) - tool.shape.grip_force;
     const double slide = stretch_by(excess, link, outwards, at(thread_.tension(), link) - excess);
     const Vec3 goes = (at(thread_.nodes(), inner + outwards) - at(thread_.nodes(), inner)).normalized();
-    const Vec3 leaves = grasp.count > 1
+    const Vec3 leaves = grasp.count() > 1
                             ? Vec3((at(thread_.nodes(), inner) - at(thread_.nodes(), inner - outwards)).normalized())
                             : goes;
     return slide * (goes + leaves).normalized();
@@ -194,20 +200,22 @@ bool World::slip(Tool& tool, Grasp& grasp) {
     const Vec3 shift = tool.now.pose.rotation.conjugate() * slide;
 
     // The jaws hold what lies between them after the shift, in the place that it then has.
-    const Grasp before = std::exchange(grasp, Grasp{});
+    std::swap(grasp, before_slip_);
+    grasp.anchor.clear();
+    const Grasp& before = before_slip_;
     // A strand of `ftl` may lag behind its anchors, so it is shifted from where they are; an elastic one from where it
     // is.
     const auto place = [&](int k) -> Vec3 {
         const int held = k - before.first;
-        const bool from_anchor = !is_elastic() && held >= 0 && held < before.count;
+        const bool from_anchor = !is_elastic() && held >= 0 && held < before.count();
         return shift + (from_anchor ? before.anchor[static_cast<std::size_t>(held)] : in_tool(tool.now, at(nodes, k)));
     };
     const auto is_free = [&](int k) { return !is_held(k); };
     const auto is_joined = [&](int link) { return joins(thread_, link); };
     const JawRoom room(tool.shape, tool.now.jaw);
-    for (int i = before.first - 1; i < before.first + before.count && grasp.count == 0; ++i)
-        grasp = strand_between(room, tool.shape.jaw_radius, i, place, is_free, is_joined);
-    return grasp.count > 0;
+    for (int i = before.first - 1; i < before.first + before.count() && grasp.count() == 0; ++i)
+        hold_strand(grasp, room, tool.shape.jaw_radius, i, place, is_free, is_joined);
+    return grasp.count() > 0;
 }
 
 void World::let_grasps_slip() {

@@ -24,7 +24,7 @@ World::Strand World::hardest_pulling(int tool) const {
     };
     for (const Grasp& grasp : tools_[static_cast<std::size_t>(tool)].grasps) {
         look(grasp.first, -1, tension_before(grasp));
-        look(grasp.first + grasp.count - 1, 1, tension_after(grasp));
+        look(grasp.first + grasp.count() - 1, 1, tension_after(grasp));
     }
     for (const Needle& needle : needles_)
         if (needle.holder.tool == tool)

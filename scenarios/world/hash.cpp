@@ -17,7 +17,7 @@ std::uint64_t World::hash() const {
         add(tool.closed);
         for (const Grasp& grasp : tool.grasps) {
             add(grasp.first);
-            for (int k = 0; k < grasp.count; ++k)
+            for (int k = 0; k < grasp.count(); ++k)
                 for (int c = 0; c < 3; ++c) add(grasp.anchor[static_cast<std::size_t>(k)][c]);
         }
     }

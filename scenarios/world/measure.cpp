@@ -29,7 +29,7 @@ double World::tension_before(const Grasp& grasp) const {
 }
 
 double World::tension_after(const Grasp& grasp) const {
-    const auto link = static_cast<std::size_t>(grasp.first + grasp.count) - 1;
+    const auto link = static_cast<std::size_t>(grasp.first + grasp.count()) - 1;
     return link < thread_.tension().size() ? std::max(0.0, thread_.tension()[link]) : 0;
 }
 

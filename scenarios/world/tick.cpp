@@ -88,7 +88,7 @@ void World::list_held() {
     held_.clear();
     for (const Tool& tool : tools_)
         for (const Grasp& grasp : tool.grasps)
-            for (int k = 0; k < grasp.count; ++k) held_.push_back(grasp.first + k);
+            for (int k = 0; k < grasp.count(); ++k) held_.push_back(grasp.first + k);
     for (const Needle& needle : needles_) held_.insert(held_.end(), {needle.node, needle.node + 1});
 }
 
@@ -100,7 +100,7 @@ void World::fit_links() {
     for (Tool& tool : tools_)
         for (Grasp& grasp : tool.grasps) {
             grasp.first = held_[next];
-            next += static_cast<std::size_t>(grasp.count);
+            next += static_cast<std::size_t>(grasp.count());
         }
     for (Needle& needle : needles_) needle.node = held_[next], next += 2;
 }
@@ -116,7 +116,7 @@ sim::thread::TickReport World::move_thread() {
         const instruments::Pose &start = tool.before.pose, &next = tool.now.pose,
                                 &wanted = tool.stopped ? next : tool.asked.pose;
         for (const Grasp& grasp : tool.grasps)
-            for (int k = 0; k < grasp.count; ++k) {
+            for (int k = 0; k < grasp.count(); ++k) {
                 const Vec3& anchor = grasp.anchor[static_cast<std::size_t>(k)];
                 const auto led_by = [&](const instruments::Pose& pose) -> Vec3 {
                     return pose.position + pose.rotation * anchor;

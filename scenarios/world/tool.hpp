@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <vector>
 
 #include "instruments/tool.hpp"
@@ -10,14 +9,14 @@ namespace scenarios::world {
 
 using instruments::ToolInput;
 
-/// One strand between a tool's jaws: the nodes `first` to `first + count - 1`, fixed to the tool.
+/// One strand between a tool's jaws: the nodes `first` to `first + count() - 1`, fixed to the tool. However many lie
+/// there, all are held: a node that is left free between the jaws is wedged in metal.
 struct Grasp {
-    static constexpr int most = 16;  ///< Nodes of one strand.
-    int first = 0;                   ///< Its first node.
-    int count = 0;                   ///< How many nodes, 0 to `most`.
-    std::array<Vec3, most> anchor;   ///< Where the tool holds each, in the tool's frame [m].
+    int first = 0;                  ///< Its first node.
+    std::vector<Vec3> anchor = {};  ///< Where the tool holds each, in the tool's frame [m].
 
-    int middle() const { return first + count / 2; }  ///< The node halfway along it.
+    int count() const { return static_cast<int>(anchor.size()); }  ///< How many nodes; none: nothing is held.
+    int middle() const { return first + count() / 2; }             ///< The node halfway along it.
 };
 
 /// A point of a wall between a tool's jaws.

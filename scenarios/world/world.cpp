@@ -106,7 +106,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
 }
 
 void World::reserve() {
-    const std::size_t held = Grasp::most * tools_.size() + 2 * needles_.size();
+    const std::size_t held = thread_.nodes().size() + 2 * needles_.size();
     for (auto* of_nodes : {&held_, &hold_owners_}) of_nodes->reserve(held);
     holds_.reserve(held);
     capsules_.reserve(instruments::part_count * tools_.size() + instruments::needle_parts * needles_.size());

@@ -141,7 +141,8 @@ class World {
     // Scratch of one tick.
     std::vector<int> swages_;  // links that needles lead
     std::vector<int> held_;    // nodes that tools and needles hold
-    std::vector<Grasp> flat_;  // a tool's grasps, laid flat
+    std::vector<Grasp> flat_;  // a tool's grasps, laid flat; never shorter than before, so that room is kept
+    Grasp before_slip_;        // what slides, as it was held
     std::vector<sim::thread::Hold> holds_;
     std::vector<int> hold_owners_;  // one per hold
     std::vector<sim::thread::MovingCapsule> capsules_;

@@ -54,7 +54,7 @@ struct Scene {
     void tick(int times = 1) {
         for (int i = 0; i < times; ++i) world.tick(tools);
     }
-    int first_free() const { return world.tools()[0].grasps.at(0).first + world.tools()[0].grasps[0].count - 1; }
+    int first_free() const { return world.tools()[0].grasps.at(0).first + world.tools()[0].grasps[0].count() - 1; }
     Vec3 at(int node) const { return world.thread()[static_cast<std::size_t>(node)]; }
     Vec3 tip() const { return world.thread().back(); }
 

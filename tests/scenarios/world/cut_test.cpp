@@ -250,7 +250,7 @@ TEST(Scissors, BesideJawsThatGoOnHolding) {
         scene.tools[2].pose = {Vec3(12e-3 - 0.6e-3, 0, 2e-3), Scene::up()};
         Play play(scene);
         play.close({0, 1});
-        const int held = play.world.tools()[1].grasps.at(0).count;
+        const int held = play.world.tools()[1].grasps.at(0).count();
         play.close({2});
         ASSERT_EQ(play.events(EventKind::cut).size(), 1u);
         ASSERT_EQ(play.world.thread_state().pieces().size(), 2u);
@@ -258,8 +258,8 @@ TEST(Scissors, BesideJawsThatGoOnHolding) {
         const auto& grasps = play.world.tools()[1].grasps;
         int now = 0;
         for (const auto& grasp : grasps) {
-            now += grasp.count;
-            for (int k = grasp.first; k + 1 < grasp.first + grasp.count; ++k)
+            now += grasp.count();
+            for (int k = grasp.first; k + 1 < grasp.first + grasp.count(); ++k)
                 EXPECT_FALSE(play.world.thread_state().is_cut(k));
         }
         EXPECT_GE(now, held);

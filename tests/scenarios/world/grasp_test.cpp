@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
 
 #include "scenarios/world/world.hpp"
@@ -52,7 +53,7 @@ double stretch_between(const World& world) {
     const auto& grasp = world.tools()[0].grasps[0];
     const double rest = world.def().thread.length / world.def().thread.links;
     double most = 0;
-    for (int k = grasp.first; k + 1 < grasp.first + grasp.count; ++k) {
+    for (int k = grasp.first; k + 1 < grasp.first + grasp.count(); ++k) {
         const auto i = static_cast<std::size_t>(k);
         most = std::max(most, std::abs((world.thread()[i + 1] - world.thread()[i]).norm() / rest - 1));
     }
@@ -313,6 +314,37 @@ TEST(Grasp, AToolThatPullsByFeelPullsNoHarderAndGivesWay) {
     for (double gone = 0; gone < 2 * way; gone += speed) right.x() -= speed, tick();
     EXPECT_EQ(lag(), 0);
     EXPECT_EQ(world.measures().pass_throughs, 0u);
+}
+
+// Forceps close on the end of a fine thread that lies at rest along their jaws, 2 mm or 9 mm deep between them, in
+// links shorter than jaws are wide. They hold all of it: nodes that they leave out are wedged in metal and pushed apart
+// until the thread breaks. Nothing moves it, so no tension is right.
+TEST(Grasp, JawsThatCloseOnAFineThreadAlongThemDoNotPullIt) {
+    for (const double diameter : {0.025e-3, 0.085e-3})
+        for (const double link : {0.1e-3, 0.05e-3})
+            for (const double deep : {2e-3, 9e-3}) {
+                SCOPED_TRACE(testing::Message() << diameter << " m thick, links of " << link << " m, " << deep << " m");
+                scenarios::world::WorldDef def;
+                def.instruments = {{"left", instruments::Kind::forceps}};
+                def.thread.model = "elastic";
+                def.thread.diameter = diameter;
+                def.thread.length = 24e-3;
+                def.thread.links = static_cast<int>(std::lround(def.thread.length / link));
+                def.thread.start = {Vec3(0, 0, -deep), Vec3(0, 0, def.thread.length - deep)};
+                ToolInput tool{{}, 0.6};
+                World world(def, {}, {&tool, 1});
+                double pulled = 0;
+                for (int tick = 0; tick < 400; ++tick) {
+                    tool.jaw = std::max(0.0, 0.6 - 0.002 * tick);
+                    world.tick({&tool, 1});
+                    for (const double tension : world.thread_state().tension())
+                        pulled = std::max(pulled, std::abs(tension));
+                }
+                ASSERT_EQ(world.tools()[0].grasps.size(), 1u);
+                EXPECT_GE(world.tools()[0].grasps[0].count() * link, deep);
+                EXPECT_LT(pulled, 1e-3);
+                EXPECT_LT(world.worst().stretch, 1e-3);
+            }
 }
 
 }  // namespace grasping

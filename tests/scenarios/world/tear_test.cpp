@@ -60,7 +60,7 @@ double pull(const World& world) {
     for (const auto& tool : world.tools())
         for (const auto& grasp : tool.grasps) {
             const auto before = static_cast<std::size_t>(grasp.first),
-                       after = before + static_cast<std::size_t>(grasp.count) - 1;
+                       after = before + static_cast<std::size_t>(grasp.count()) - 1;
             double most = 0;
             if (before > 0) most = std::max(most, tension[before - 1]);
             if (after < tension.size()) most = std::max(most, tension[after]);
