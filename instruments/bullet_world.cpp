@@ -23,6 +23,10 @@ struct Body {
     std::unique_ptr<btCollisionObject> object;
 };
 
+btDbvtNode* leaf_of(btCollisionObject& object) {
+    return static_cast<btDbvtProxy*>(object.getBroadphaseHandle())->leaf;
+}
+
 struct CollectTriangles final : btTriangleCallback {
     int body;
     std::vector<BulletWorld::Near>& found;
@@ -92,9 +96,6 @@ struct BulletWorld::Impl {
         btCollisionObject& object = *bodies[static_cast<std::size_t>(index)].object;
         object.setWorldTransform(other.object->getWorldTransform());
         world.updateSingleAabb(&object);
-        const auto leaf_of = [](btCollisionObject& of) {
-            return static_cast<btDbvtProxy*>(of.getBroadphaseHandle())->leaf;
-        };
         btDbvtVolume box = leaf_of(*other.object)->volume;
         broadphase.m_sets[0].update(leaf_of(object), box);
     }
@@ -160,6 +161,17 @@ void BulletWorld::near(const Box& box, std::vector<Near>& found) const {
     Collect collect(impl_->bullet(box.low), impl_->bullet(box.high), found);
     impl_->broadphase.aabbTest(collect.low, collect.high, collect);
     std::sort(found.begin(), found.end());
+}
+
+void add_to(sim::geometry::Hash& hash, const BulletWorld& world) {
+    const auto add = [&](const btVector3& v) { hash.add(v.x(), v.y(), v.z()); };
+    for (const Body& body : world.impl_->bodies) {
+        const btTransform& at = body.object->getWorldTransform();
+        for (int row = 0; row < 3; ++row) add(at.getBasis()[row]);
+        add(at.getOrigin());
+        const btDbvtVolume& box = leaf_of(*body.object)->volume;
+        add(box.Mins()), add(box.Maxs());
+    }
 }
 
 }  // namespace instruments

@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/geometry/hash.hpp"
 #include "sim/geometry/shapes.hpp"
 
 namespace instruments {
@@ -46,6 +47,8 @@ class BulletWorld {
     /// Replaces `found` by all that may touch `box` (never too few), in ascending order: Bullet's own order is that of
     /// its tree, which depends on how bodies moved before.
     void near(const Box& box, std::vector<Near>& found) const;
+    /// Adds where each body is, and its box in the tree.
+    friend void add_to(sim::geometry::Hash& hash, const BulletWorld& world);
 
   private:
     struct Impl;

@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 
+#include "instruments/hash.hpp"
 #include "sim/geometry/closest_points.hpp"
 
 namespace instruments {
@@ -281,6 +282,11 @@ Advance ToolWorld::advance(int index, const ToolInput& input) {
     }
     result.reached = tool.now;
     return result;
+}
+
+void add_to(sim::geometry::Hash& hash, const ToolWorld& tools) {
+    hash.add(tools.world_);
+    for (const ToolWorld::Tool& tool : tools.tools_) hash.add(tool.now, tool.parts);
 }
 
 }  // namespace instruments

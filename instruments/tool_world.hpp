@@ -67,6 +67,8 @@ class ToolWorld {
 
     /// Where a moving tool stops before an obstacle [m]: a fiftieth of its jaw's radius, a twentieth of a 6-0 thread.
     double skin(int tool) const { return at(tool).shape.jaw_radius / 50; }
+    /// Adds where all tools are.
+    friend void add_to(sim::geometry::Hash& hash, const ToolWorld& tools);
 
   private:
     struct Tool {

@@ -130,6 +130,8 @@ class Bites {
     int holes_on_needle() const { return static_cast<int>(crossings_.size()); }  ///< How many its wire is in.
     bool touches() const { return touch_.active; }                               ///< The tip dimples or tents a skin.
     const BiteDef& def() const { return def_; }                                  ///< How a needle meets this wall.
+    /// Adds the bites, the needle as it was told last and what it touches.
+    friend void add_to(sim::geometry::Hash& hash, const Bites& bites);
 
   private:
     struct Touch {  // of the tip and a skin that it has not pierced

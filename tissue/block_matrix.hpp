@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/geometry/hash.hpp"
 #include "sim/geometry/vec.hpp"
 #include "tissue/lanes.hpp"
 
@@ -50,6 +51,8 @@ class BlockMatrix {
     /// x = A^-1 x, one entry for each node, off by at most 1e-7 times the condition of A. 90 us for 624 nodes of a
     /// tube, 150 us were factors kept whole.
     void solve(std::vector<Vec3>& x);
+    /// Adds the numbers of the matrix and of its factors, not where they are.
+    friend void add_to(sim::geometry::Hash& hash, const BlockMatrix& matrix);
 
   private:
     using Padded = std::array<Lane, 3>;  // columns of a block, their last number zero

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/geometry/hash.hpp"
 #include "sim/geometry/shapes.hpp"
 #include "tissue/mesh.hpp"
 
@@ -105,6 +106,8 @@ class Skin {
     Spot closest(const Vec3& a, const Vec3& b, double reach, const Vec3& facing = Vec3::Zero()) const;
     /// Appends the numbers of all triangles whose boxes overlap `box` [m], in ascending order.
     void near(const Box& box, std::vector<int>& found) const;
+    /// Adds where it is, its holes and what is in them.
+    friend void add_to(sim::geometry::Hash& hash, const Skin& skin);
 
   private:
     static constexpr double fade = 3;           // radii from a hole's middle to where the wall no longer goes along

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/geometry/hash.hpp"
 #include "tissue/block_matrix.hpp"
 #include "tissue/cells.hpp"
 #include "tissue/descent.hpp"
@@ -80,6 +81,8 @@ class Tissue {
     Vec3 hold_force(int node) const { return -residual_[static_cast<std::size_t>(node)]; }
     /// Puts nodes elsewhere [m], at rest, one entry for each; the next step finds the stiffness of the new shape.
     void place(std::span<const Vec3> nodes);
+    /// Adds all that is carried from step to step, which is not what the wall is made of.
+    friend void add_to(sim::geometry::Hash& hash, const Tissue& wall);
 
   private:
     void apply_holds(std::span<const Hold> holds);

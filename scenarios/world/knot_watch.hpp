@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scenarios/world/defs.hpp"
+#include "sim/geometry/hash.hpp"
 #include "sim/knot/namer.hpp"
 
 namespace scenarios::world {
@@ -38,8 +39,11 @@ class KnotWatch {
     const std::vector<NamedPiece>& named() const { return named_; }
     /// Index of the piece that is tied most, the first of those that are tied alike; `named()` must not be empty.
     std::size_t most_tied() const;
+    /// Adds all that is carried from tick to tick; waits for a naming in flight.
+    friend void add_to(sim::geometry::Hash& hash, const KnotWatch& watch);
 
   private:
+    friend struct ForTests;
     static constexpr std::uint64_t period = 100, delay = 20;  // [ticks]
 
     bool moved_ = true;  // the thread has, since it was last named

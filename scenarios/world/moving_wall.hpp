@@ -35,6 +35,8 @@ class MovingWall {
     /// farthest that any corner went [m]. Allocates nothing.
     double follow(std::span<const Triangle> targets, std::span<const double> rooms,
                   std::span<const sim::thread::SurfaceGap> gaps);
+    /// Adds all that is carried from tick to tick.
+    friend void add_to(sim::geometry::Hash& hash, const MovingWall& wall);
 
   private:
     void number_corners(const std::vector<Holes>& holes);

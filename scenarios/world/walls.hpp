@@ -44,8 +44,11 @@ class Walls {
     int soft_from() const { return vessels_.empty() ? shown_.size() : vessels_.front().first; }
     /// How far what is shown went since the last tick at most [m]; infinite where triangles have other numbers.
     double moved() const { return moved_; }
+    /// Adds all that is carried from tick to tick.
+    friend void add_to(sim::geometry::Hash& hash, const Walls& walls);
 
   private:
+    friend struct ForTests;
     void take_pressure(const WallLoads& loads);
     void press_together();
     void move(SoftVessel& vessel, double seconds, const WallLoads& loads, std::vector<Event>& events);

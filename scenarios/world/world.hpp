@@ -27,7 +27,8 @@ struct Worst {
 };
 
 /// A scene: a thread or several, their needles, vessels, tools. Everything that a tick depends on is in here, so two
-/// worlds made of the same definition and fed the same inputs are the same bit for bit.
+/// worlds made of the same definition and fed the same inputs are the same bit for bit. So is a copy: fed the same
+/// inputs, it goes on as the original does, whatever becomes of that.
 class World {
   public:
     /// `surface`: the rigid vessels' triangles in the world frame [m]. `start`: where the tools are, one per
@@ -62,14 +63,19 @@ class World {
     double tension_now() const { return tension_now_; }        ///< Largest of the thread after the last tick [N].
     double stretch_now() const { return stretch_now_; }        ///< Largest |l / l0 - 1| after the last tick.
 
-    /// Of everything that is simulated: two worlds that differ in it go on differently.
+    /// FNV-1a over what a recording holds against a replay. Its words and their order stay, so that earlier recordings
+    /// still verify.
     std::uint64_t hash() const;
+    /// FNV-1a over every bit that is carried from tick to tick: two worlds of one definition with the same one go on
+    /// alike. Waits for a naming in flight; some milliseconds.
+    std::uint64_t hash_of_all_carried() const;
 
     /// Names the knot as the thread lies now; for the end of a session. Before that, ten times a second, the name of 20
     /// ticks ago is in measures().
     void name_knot_now();
 
   private:
+    friend struct ForTests;
     void reserve();
     void move_instruments(std::span<const ToolInput> inputs);
     void report_lag(Tool& tool, const std::string& by);
