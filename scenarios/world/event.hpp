@@ -8,32 +8,32 @@ namespace scenarios::world {
 
 /// What can happen in a scene that is worth a line in a recording or a report; event_words says what each means.
 enum class EventKind {
-    input_dropped,
-    held_up,
-    grasp,
-    release,
-    slip,
-    wall_grasp,
-    wall_release,
-    needle_grasp,
-    needle_release,
-    needle_bent,
-    pierced,
-    through,
-    back_in,
-    withdrawn,
-    drawn,
-    torn,
-    slipped,
-    cut,
-    broken,
-    knot,
-    pass_through,
+    input_dropped,   ///< A device's or a file's pose was unusable.
+    held_up,         ///< A tool fell behind its hand.
+    grasp,           ///< Jaws closed on thread.
+    release,         ///< Jaws let thread go.
+    slip,            ///< Thread slides between jaws.
+    wall_grasp,      ///< Jaws closed on a vessel.
+    wall_release,    ///< Jaws let a vessel go.
+    needle_grasp,    ///< Jaws closed on a needle.
+    needle_release,  ///< Jaws let a needle go.
+    needle_bent,     ///< Walls pushed a needle harder than its wire bears.
+    pierced,         ///< A needle's tip went into a wall.
+    through,         ///< A needle's tip came out of a wall.
+    back_in,         ///< A needle goes back, its tip in the wall again.
+    withdrawn,       ///< A needle left a wall as it came.
+    drawn,           ///< A whole needle is through a wall.
+    torn,            ///< A bite tore out of its wall.
+    slipped,         ///< A needle's tip slipped off an edge.
+    cut,             ///< Blades cut thread.
+    broken,          ///< Thread broke.
+    knot,            ///< The knot took another name.
+    pass_through,    ///< Thread passed through something: a fault of the simulation.
 };
 
 /// A kind of event in words.
 struct EventWords {
-    EventKind kind;
+    EventKind kind;       ///< Which it is.
     const char* name;     ///< In recordings, in result.json and in hard cases.
     const char* unit;     ///< Of Event::value; empty where the value says nothing.
     const char* meaning;  ///< What happened, what Event::what names and what the value is.
