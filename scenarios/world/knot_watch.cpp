@@ -1,6 +1,7 @@
 #include "scenarios/world/knot_watch.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 namespace scenarios::world {
@@ -60,6 +61,7 @@ static bool ties_more(const sim::knot::Tied& a, const sim::knot::Tied& b) {
 }
 
 std::size_t KnotWatch::most_tied() const {
+    assert(!named_.empty() && "names were fetched");
     std::size_t most = 0;
     for (std::size_t i = 1; i < named_.size(); ++i)
         if (ties_more(named_[i].tied, named_[most].tied)) most = i;

@@ -1,6 +1,7 @@
 #include "scenarios/world/locate.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -106,6 +107,7 @@ std::vector<double> tails_mm(std::span<const double> rest, const Place& place) {
 }  // namespace
 
 std::vector<double> tails_of(const std::vector<Vec3>& curve, std::span<const double> rest, const std::string& knot) {
+    assert(curve.size() == rest.size() + 1 && "a node at either end of each link");
     return tails_mm(rest, place_of(curve, knot));
 }
 

@@ -4,6 +4,7 @@
 #include "scenarios/world/moving_wall.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "sim/geometry/at.hpp"
@@ -44,6 +45,7 @@ void MovingWall::number_corners(const std::vector<Holes>& holes) {
 
 void MovingWall::renew(std::vector<Triangle> triangles, std::span<const tissue::Part> parts,
                        const std::vector<Holes>& holes) {
+    assert(parts.size() == triangles.size() && holes.size() == triangles.size() && "one of each for each triangle");
     const std::vector<Triangle> shown = moved_;
     moved_ = std::move(triangles);
     number_corners(holes);
@@ -108,6 +110,7 @@ void MovingWall::move_rest(std::span<const sim::thread::SurfaceGap> gaps) {
 
 double MovingWall::follow(std::span<const Triangle> targets, std::span<const double> rooms,
                           std::span<const sim::thread::SurfaceGap> gaps) {
+    assert(targets.size() == moved_.size() && rooms.size() == moved_.size() && "one of each for each triangle");
     std::fill(room_.begin(), room_.end(), 1e300);
     for (std::size_t t = 0; t < targets.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {

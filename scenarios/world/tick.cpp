@@ -8,7 +8,7 @@
 namespace scenarios::world {
 
 void World::tick(std::span<const ToolInput> inputs) {
-    assert(inputs.size() == tools_.size());
+    assert(inputs.size() == tools_.size() && "an input for each instrument");
     ++ticks_;
     move_instruments(inputs);
     fit_links();

@@ -50,6 +50,7 @@ static std::vector<Vec3> nodes_on(const std::vector<Vec3>& start, const WorldDef
 
 static sim::thread::Thread make_thread(const WorldDef& world) {
     const ThreadDef& def = world.thread;
+    assert(world.tick_s > 0 && def.links > 0 && !def.start.empty() && "a thread that lies somewhere");
     sim::thread::ThreadDef thread{def.diameter / 2,  def.friction,
                                   def.friction_tool, def.young_modulus * section(def),
                                   def.shortest_link, def.contacts_per_tick};
@@ -93,7 +94,7 @@ World::World(const WorldDef& def, std::vector<sim::geometry::Triangle> surface, 
       needles_(make_needles(def, thread_.pieces())),
       strength_{def.thread.break_force},
       knot_watch_(def) {
-    assert(start.size() == def.instruments.size());
+    assert(start.size() == def.instruments.size() && "a place for each instrument");
     if (!surface.empty()) tool_world_.add_surface(std::move(surface));
     for (std::size_t i = 0; i < tools_.size(); ++i)
         tool_world_.set_pose(tool_world_.add_tool(tools_[i].def.kind), start[i]);
