@@ -31,6 +31,7 @@ cmake --preset release > /dev/null && cmake --build build -j"$jobs" || exit 1
     printf '\n| step | result | minutes |\n|---|---|---|\n'
 } | tee $table
 step hashes-to-60-s env CARREL_LONG_HASHES=1 ctest --test-dir build -j"$jobs" --output-on-failure -R Hashes
+step whole-copies ctest --test-dir build -C long --output-on-failure -R copies_of_whole_drills
 step each-file-alone each_file_alone
 step old-processor old_processor
 step kills kills
