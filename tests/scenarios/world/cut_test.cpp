@@ -6,44 +6,27 @@
 
 #include "scenarios/world/judge.hpp"
 #include "scenarios/world/locate.hpp"
-#include "scenarios/world/world.hpp"
 #include "sim/thread/thread.hpp"
+#include "tests/scenarios/world/scene.hpp"
 
 namespace cutting {
 
-using instruments::Kind;
-using instruments::ToolInput;
+using namespace scene;
 using scenarios::world::Event;
 using scenarios::world::EventKind;
-using scenarios::world::World;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
 
 constexpr double thickness = 0.085e-3, length = 30e-3;
 
 // Needle holders hold a thread along x near its ends, from above; scissors stand open above its middle.
-struct Scene {
-    scenarios::world::WorldDef def;
-    std::vector<ToolInput> tools;
-
-    explicit Scene(const std::string& model) {
-        for (const auto& [name, kind, x] :
-             {std::tuple("left", Kind::needle_holder, -12e-3), std::tuple("right", Kind::needle_holder, 12e-3),
-              std::tuple("blades", Kind::scissors, 1.1e-3)}) {
-            def.instruments.push_back({name, kind});
-            tools.push_back({{Vec3(x, 0, -2e-3), down()}, 1.0});
-        }
+struct Held : Scene {
+    explicit Held(const std::string& model) {
+        add("left", Kind::needle_holder, {from_above(-12 * mm), 1});
+        add("right", Kind::needle_holder, {from_above(12 * mm), 1});
+        add("blades", Kind::scissors, {from_above(1.1 * mm), 1});
         def.thread.model = model;
-        def.thread.length = length;
-        def.thread.links = 100;
-        def.thread.start = {Vec3(-15e-3, 0, 0), Vec3(15e-3, 0, 0)};
+        lay({Vec3(-length / 2, 0, 0), Vec3(length / 2, 0, 0)}, 100);
     }
 
-    static Quat down() {
-        Eigen::Matrix3d axes;
-        axes << 0, 1, 0, 1, 0, 0, 0, 0, -1;
-        return Quat(axes);
-    }
     static Quat up() {
         Eigen::Matrix3d axes;
         axes << 0, -1, 0, 1, 0, 0, 0, 0, 1;
@@ -60,14 +43,12 @@ struct Scene {
                                                         0.5 * ending * tt * (tt - 4)));
         }
         path.emplace_back(half, 0, 0);
-        def.thread.length = 0;
-        for (std::size_t i = 1; i < path.size(); ++i) def.thread.length += (path[i] - path[i - 1]).norm();
-        def.thread.start = std::move(path);
+        lay(path, def.thread.links);
     }
 };
 
 struct Play {
-    explicit Play(Scene of) : scene(std::move(of)), world(scene.def, {}, scene.tools) {}
+    explicit Play(Held of) : scene(std::move(of)), world(scene.world()) {}
 
     void tick() {
         const std::vector<Vec3> before(world.thread().begin(), world.thread().end());
@@ -99,13 +80,13 @@ struct Play {
         return std::accumulate(rest.begin(), rest.end(), 0.0);
     }
 
-    Scene scene;
+    Held scene;
     World world;
     double fastest = 0;  // node [m/s]
 };
 
-Scene scene_that_breaks_at_1_N(const char* model) {
-    Scene scene(model);
+Held scene_that_breaks_at_1_N(const char* model) {
+    Held scene(model);
     scene.def.thread.break_force = 1;
     return scene;
 }
@@ -152,7 +133,7 @@ TEST(Break, OnceAtTheForceThatTheThreadBears) {
 
 // A 6-0 stretches by an eighth before it breaks, more than steps of an elastic thread may otherwise.
 TEST(Break, AtTheForceOfItsSize) {
-    Play play{Scene("elastic")};
+    Play play{Held("elastic")};
     play.close({0, 1});
     for (int i = 0; i < 2000 && play.events(EventKind::broken).empty(); ++i) play.move(1, Vec3(5e-6, 0, 0), 1);
     ASSERT_EQ(play.events(EventKind::broken).size(), 1u);
@@ -175,7 +156,7 @@ TEST(Break, NotBelowThatForce) {
 
 // A tracker that loses the hand for a frame says that it is far away, and the thread, taut, cannot follow.
 TEST(Break, NotByATrackerThatLosesTheHand) {
-    Play play{Scene("ftl")};
+    Play play{Held("ftl")};
     play.close({0, 1});
     const Vec3 there = play.scene.tools[1].pose.position;
     play.scene.tools[1].pose.position.x() += 50e-3;
@@ -188,7 +169,7 @@ TEST(Break, NotByATrackerThatLosesTheHand) {
 
 // Where the thread is bent it bears less: a knotted one parts where it enters its knot.
 TEST(Break, AtTheKnot) {
-    Scene scene("elastic");
+    Held scene("elastic");
     scene.def.thread.links = 300;
     scene.def.thread.break_force = 1;
     scene.def.thread.shortest_link = thickness;
@@ -221,7 +202,7 @@ TEST(Break, AtTheKnot) {
 TEST(Scissors, CutWhatTheyCloseOnAndHoldNothing) {
     for (const char* model : {"ftl", "elastic"}) {
         SCOPED_TRACE(model);
-        Play play{Scene(model)};
+        Play play{Held(model)};
         play.close({0, 1});
         play.close({2});
         ASSERT_EQ(play.events(EventKind::cut).size(), 1u);
@@ -244,10 +225,10 @@ TEST(Scissors, CutWhatTheyCloseOnAndHoldNothing) {
 TEST(Scissors, BesideJawsThatGoOnHolding) {
     for (const char* model : {"ftl", "elastic"}) {
         SCOPED_TRACE(model);
-        Scene scene(model);
+        Held scene(model);
         scene.def.thread.links = 25;
         scene.def.thread.shortest_link = 0;
-        scene.tools[2].pose = {Vec3(12e-3 - 0.6e-3, 0, 2e-3), Scene::up()};
+        scene.tools[2].pose = {Vec3(12e-3 - 0.6e-3, 0, 2e-3), Held::up()};
         Play play(scene);
         play.close({0, 1});
         const int held = play.world.tools()[1].grasps.at(0).count();
@@ -273,7 +254,7 @@ TEST(Scissors, BesideJawsThatGoOnHolding) {
 
 // A thread with a knot loses one end: the knot is that of the piece it is in, its tails end where that ends.
 TEST(Scissors, TheKnotIsThatOfThePieceThatIsTied) {
-    Scene scene("ftl");
+    Held scene("ftl");
     scene.tie(-6e-3, 1e-3, 15e-3);
     Play play(scene);
     play.world.name_knot_now();
@@ -299,7 +280,7 @@ TEST(Scissors, TheKnotIsThatOfThePieceThatIsTied) {
 TEST(Scissors, TheSameBitsAgain) {
     for (const char* model : {"ftl", "elastic"}) {
         const auto played = [&] {
-            Scene scene(model);
+            Held scene(model);
             scene.def.thread.break_force = 1;
             Play play(scene);
             play.close({0, 1});

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <random>
 
-#include "scenarios/world/world.hpp"
+#include "tests/scenarios/world/scene.hpp"
 
 namespace grasping {
 
-using instruments::ToolInput;
+using namespace scene;
 using scenarios::world::EventKind;
-using scenarios::world::World;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
 
 struct Seeded {
     std::mt19937 random;
@@ -26,25 +23,18 @@ struct Seeded {
 };
 
 // Open jaws anywhere in space, and a straight thread of 30 mm that runs between them, across them within 60 degrees.
-struct Scene {
-    scenarios::world::WorldDef def;
-    ToolInput tool;
-
-    explicit Scene(Seeded& seeded) {
-        def.instruments = {{"right", instruments::Kind::needle_holder}};
-        const auto shape = instruments::shape_of(instruments::Kind::needle_holder);
+struct Anywhere : Scene {
+    explicit Anywhere(Seeded& seeded) {
+        const auto shape = instruments::shape_of(Kind::needle_holder);
         const auto jaw = instruments::parts_at(shape, {}, 0)[instruments::jaw_plus];
         const double share = seeded.number(0.3, 0.9);
         const Vec3 between(0, 0, (1 - share) * jaw.a.z() + share * jaw.b.z());
         const Vec3 across = Vec3(seeded.number(-0.5, 0.5), 1, seeded.number(-1, 1)).normalized();
         const Vec3 turn = seeded.direction() * seeded.number(0, 1);
-        tool.pose.position = 0.02 * seeded.direction();
-        tool.pose.rotation = Quat(1, turn.x(), turn.y(), turn.z()).normalized();
-        tool.jaw = 1;
+        const ToolInput tool{{0.02 * seeded.direction(), Quat(1, turn.x(), turn.y(), turn.z()).normalized()}, 1};
+        add("right", Kind::needle_holder, tool);
         const auto in_world = [&](const Vec3& p) -> Vec3 { return tool.pose.position + tool.pose.rotation * p; };
-        def.thread.length = 30e-3;
-        def.thread.links = 60;
-        def.thread.start = {in_world(between - 15e-3 * across), in_world(between + 15e-3 * across)};
+        lay({in_world(between - 15e-3 * across), in_world(between + 15e-3 * across)}, 60);
     }
 };
 
@@ -65,12 +55,12 @@ TEST(Grasp, ClosingJawsHoldTheStrandBetweenThem) {
         for (const bool elastic : {false, true}) {
             SCOPED_TRACE("seed " + std::to_string(seed) + (elastic ? ", elastic" : ""));
             Seeded seeded{std::mt19937(seed)};
-            Scene scene(seeded);
+            Anywhere scene(seeded);
             if (elastic) scene.def.thread.model = "elastic";
-            World world(scene.def, {}, {&scene.tool, 1});
+            World world = scene.world();
             for (int tick = 0; tick < 300; ++tick) {
-                scene.tool.jaw = std::max(0.0, 1 - 0.005 * tick);
-                world.tick({&scene.tool, 1});
+                scene.tools[0].jaw = std::max(0.0, 1 - 0.005 * tick);
+                scene.play(world);
             }
             ASSERT_EQ(world.tools()[0].grasps.size(), 1u);
             EXPECT_EQ(world.measures().pass_throughs, 0u);
@@ -86,17 +76,17 @@ TEST(Grasp, JawsThatCloseAsTheyGoByTakeTheStrandAlong) {
         for (const bool elastic : {false, true}) {
             SCOPED_TRACE("seed " + std::to_string(seed) + (elastic ? ", elastic" : ""));
             Seeded seeded{std::mt19937(seed)};
-            Scene scene(seeded);
+            Anywhere scene(seeded);
             if (elastic) scene.def.thread.model = "elastic";
             const Vec3 way = 0.4e-3 * seeded.direction();  // [m] a tick
             constexpr int closing = 20, going_on = 20;     // [ticks]
-            const Vec3 closed_at = scene.tool.pose.position;
-            scene.tool.pose.position = closed_at - closing * way;
-            World world(scene.def, {}, {&scene.tool, 1});
+            const Vec3 closed_at = scene.tools[0].pose.position;
+            scene.tools[0].pose.position = closed_at - closing * way;
+            World world = scene.world();
             for (int tick = 1; tick <= closing + going_on; ++tick) {
-                scene.tool.pose.position = closed_at + (tick - closing) * way;
-                scene.tool.jaw = std::max(0.0, 1 - 0.8 * tick / closing);
-                world.tick({&scene.tool, 1});
+                scene.tools[0].pose.position = closed_at + (tick - closing) * way;
+                scene.tools[0].jaw = std::max(0.0, 1 - 0.8 * tick / closing);
+                scene.play(world);
             }
             EXPECT_EQ(world.measures().pass_throughs, 0u);
             if (world.tools()[0].grasps.empty()) continue;
@@ -107,27 +97,18 @@ TEST(Grasp, JawsThatCloseAsTheyGoByTakeTheStrandAlong) {
 }
 
 // Two needle holders above a straight thread along x, their jaws across it near its ends.
-struct TwoTools {
-    scenarios::world::WorldDef def;
-    std::array<ToolInput, 2> tools;
-
+struct TwoTools : Scene {
     TwoTools() {
-        Eigen::Matrix3d down;
-        down << 0, 1, 0, 1, 0, 0, 0, 0, -1;
-        for (const int side : {0, 1}) {
-            def.instruments.push_back({side == 0 ? "left" : "right", instruments::Kind::needle_holder});
-            tools[static_cast<std::size_t>(side)] = {{Vec3(side == 0 ? -12e-3 : 12e-3, 0, -2e-3), Quat(down)}, 1.0};
-        }
-        def.thread.length = 30e-3;
-        def.thread.links = 100;
-        def.thread.start = {Vec3(-15e-3, 0, 0), Vec3(15e-3, 0, 0)};
+        for (const double side : {-1.0, 1.0})
+            add(side < 0 ? "left" : "right", Kind::needle_holder, {from_above(12 * side * mm), 1});
+        lay({Vec3(-15 * mm, 0, 0), Vec3(15 * mm, 0, 0)}, 100);
     }
 };
 
 // Led into another tool it stays behind its hand, which is told once, and again when it had come free.
 TEST(Tools, SayWhatHoldsThemUp) {
     TwoTools scene;
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     const auto lead = [&](double to_mm) {
         for (int t = 0; t < 600; ++t) {
             const double left = 1e-3 * to_mm - scene.tools[0].pose.position.x();
@@ -154,7 +135,7 @@ TEST(Tools, SayWhatHoldsThemUp) {
 // Held back by a taut thread it is told once as well, however long the hand goes on.
 TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
     TwoTools scene;
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     for (int t = 0; t < 400; ++t) {
         for (auto& tool : scene.tools) tool.jaw = std::max(0.0, tool.jaw - 4e-3);
         world.tick(scene.tools);
@@ -181,16 +162,16 @@ TEST(Tools, AreToldOnceThatTheThreadHoldsThem) {
 TEST(Grasp, JawsStopOnStrandsThatCross) {
     for (const bool elastic : {false, true}) {
         TwoTools scene;
-        scene.def.instruments.pop_back();
+        scene.def.instruments.pop_back(), scene.tools.pop_back();
         scene.def.thread.model = elastic ? "elastic" : "ftl";
         scene.def.thread.length = 60e-3;
         scene.def.thread.links = 200;
         scene.def.thread.start = {Vec3(-20e-3, -0.4e-3, -3e-3), Vec3(-4e-3, -0.4e-3, 3e-3), Vec3(0, -0.4e-3, 4e-3),
                                   Vec3(0, 0.4e-3, -4e-3),       Vec3(-4e-3, 0.4e-3, -3e-3), Vec3(-20e-3, 0.4e-3, 3e-3)};
-        World world(scene.def, {}, {scene.tools.data(), 1});
+        World world = scene.world();
         for (int tick = 1; tick <= 500; ++tick) {
             scene.tools[0].jaw = std::max(0.0, 1 - 0.0025 * tick);
-            world.tick({scene.tools.data(), 1});
+            scene.play(world);
         }
         const auto& tool = world.tools()[0];
         EXPECT_EQ(tool.grasps.size(), 2u);
@@ -205,9 +186,8 @@ TEST(Grasp, JawsStopOnStrandsThatCross) {
 // hand and whip the thread, and must be there within the time that a hand's speed of 0.1 m/s takes.
 TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
     TwoTools scene;
-    scene.def.thread.break_force =
-        2 * instruments::shape_of(instruments::Kind::needle_holder).grip_force;  // it must not part
-    World world(scene.def, {}, scene.tools);
+    scene.def.thread.break_force = 2 * instruments::shape_of(Kind::needle_holder).grip_force;  // it must not part
+    World world = scene.world();
     auto& right = scene.tools[1];
     const auto tick = [&] { world.tick(scene.tools); };
     for (int i = 1; i <= 100; ++i) {
@@ -238,7 +218,7 @@ TEST(Grasp, AToolThatWaitedComesAfterItsHandAtAHandsSpeed) {
 // as a pull on one would teach a fault nobody made.
 TEST(Grasp, AToolThatHoldsNothingPullsNothing) {
     TwoTools scene;
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     auto& right = scene.tools[1];
     for (int i = 0; i < 240; ++i) {
         right.pose.position.x() -= 0.1e-3;
@@ -252,9 +232,9 @@ TEST(Grasp, AToolThatHoldsNothingPullsNothing) {
 // slide too soon drop it while a knot is laid, those that never do pull it until it breaks.
 TEST(Grasp, AnElasticThreadSlidesAtTheGripForceAndHoldsBelow) {
     TwoTools scene;
-    scene.def.instruments[1].kind = instruments::Kind::forceps;
+    scene.def.instruments[1].kind = Kind::forceps;
     scene.def.thread.model = "elastic";
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     auto& right = scene.tools[1];
     const auto tick = [&] { world.tick(scene.tools); };
     for (int i = 1; i <= 100; ++i) {
@@ -289,7 +269,7 @@ TEST(Grasp, AToolThatPullsByFeelPullsNoHarderAndGivesWay) {
     TwoTools scene;
     scene.def.thread.model = "elastic";
     const double pull = scene.def.instruments[1].pull = 0.5;
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     const auto tick = [&] { world.tick(scene.tools); };
     for (int i = 1; i <= 100; ++i) {
         for (auto& tool : scene.tools) tool.jaw = 1 - 0.01 * i;

@@ -8,23 +8,19 @@
 #include <numbers>
 
 #include "scenarios/world/judge.hpp"
-#include "scenarios/world/world.hpp"
+#include "tests/scenarios/world/scene.hpp"
 #include "tissue/join.hpp"
 
 namespace measuring {
 
-using instruments::Kind;
-using instruments::ToolInput;
+using namespace scene;
 using scenarios::world::Event;
 using scenarios::world::EventKind;
 using scenarios::world::Measures;
 using scenarios::world::VesselDef;
-using scenarios::world::World;
 using scenarios::world::WorldDef;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
 
-constexpr double mm = 1e-3, pi = std::numbers::pi;
+constexpr double pi = std::numbers::pi;
 
 std::vector<Event> told(const World& world, EventKind kind) {
     std::vector<Event> found;
@@ -43,33 +39,21 @@ Measures judged_knot(World& world) {
 }
 
 // Two instruments above a straight thread of 30 mm along x, their jaws across it 3 mm from its ends.
-struct Scene {
-    WorldDef def;
-    std::array<ToolInput, 2> tools;
-
-    Scene(Kind left, Kind right, const char* model) {
-        Eigen::Matrix3d down;
-        down << 0, 1, 0, 1, 0, 0, 0, 0, -1;
-        for (const int side : {0, 1}) {
-            def.instruments.push_back({side == 0 ? "left" : "right", side == 0 ? left : right});
-            tools[static_cast<std::size_t>(side)] = {{Vec3(side == 0 ? -12 * mm : 12 * mm, 0, -2 * mm), Quat(down)},
-                                                     1.0};
-        }
+struct Pair : Scene {
+    Pair(Kind left, Kind right, const char* model) {
+        add("left", left, {from_above(-12 * mm), 1});
+        add("right", right, {from_above(12 * mm), 1});
         def.thread.model = model;
-        def.thread.length = 30 * mm;
-        def.thread.links = 100;
-        def.thread.start = {Vec3(-15 * mm, 0, 0), Vec3(15 * mm, 0, 0)};
+        lay({Vec3(-15 * mm, 0, 0), Vec3(15 * mm, 0, 0)}, 100);
     }
 };
 
 struct Play {
-    Scene scene;
+    Pair scene;
     World world;
 
-    explicit Play(const Scene& of) : scene(of), world(scene.def, {}, scene.tools) {}
-    void tick(int times = 1) {
-        for (int t = 0; t < times; ++t) world.tick(scene.tools);
-    }
+    explicit Play(const Pair& of) : scene(of), world(scene.world()) {}
+    void tick(int times = 1) { scene.play(world, times); }
     void close() {
         for (int t = 1; t <= 100; ++t) {
             for (auto& tool : scene.tools) tool.jaw = 1 - 0.01 * t;
@@ -85,7 +69,7 @@ struct Play {
 // Ten millimetres there and five back are fifteen, whatever the hand does that the tool does not: lost by its tracker,
 // or held back by a taut thread.
 TEST(Measures, APathIsWhatTheToolWent) {
-    Play play(Scene(Kind::needle_holder, Kind::needle_holder, "ftl"));
+    Play play(Pair(Kind::needle_holder, Kind::needle_holder, "ftl"));
     play.move(1, Vec3(0, 10 * mm, 0), 200);
     play.move(1, Vec3(3 * mm, 0, 4 * mm), 100);
     EXPECT_NEAR(play.world.measures().path_mm[1], 15, 1e-9);
@@ -94,7 +78,7 @@ TEST(Measures, APathIsWhatTheToolWent) {
     play.tick(10);
     EXPECT_EQ(play.world.measures().path_mm[0], 0);
 
-    Play taut(Scene(Kind::needle_holder, Kind::needle_holder, "ftl"));
+    Play taut(Pair(Kind::needle_holder, Kind::needle_holder, "ftl"));
     taut.close();
     const double before = taut.world.measures().path_mm[1];
     double went = 0;
@@ -111,8 +95,8 @@ TEST(Measures, APathIsWhatTheToolWent) {
 // one.
 TEST(Measures, APullIsNoMoreThanTheWeakerGripHolds) {
     for (const bool turned : {false, true}) {
-        Play play(turned ? Scene(Kind::needle_holder, Kind::forceps, "ftl")
-                         : Scene(Kind::forceps, Kind::needle_holder, "ftl"));
+        Play play(turned ? Pair(Kind::needle_holder, Kind::forceps, "ftl")
+                         : Pair(Kind::forceps, Kind::needle_holder, "ftl"));
         play.close();
         double most = 0;
         for (int t = 0; t < 250; ++t) {
@@ -128,7 +112,7 @@ TEST(Measures, APullIsNoMoreThanTheWeakerGripHolds) {
 // What the jaws of each kind hold, in newtons: a strand that is drawn harder runs out between them.
 TEST(Measures, AStrandSlipsOutAtTheGripOfItsJaws) {
     for (const auto& [kind, grip] : {std::pair(Kind::forceps, 1.0), {Kind::needle_holder, 4.0}}) {
-        Scene scene(kind, kind, "elastic");
+        Pair scene(kind, kind, "elastic");
         scene.def.thread.break_force = 8;
         Play play(scene);
         play.close();
@@ -149,7 +133,7 @@ TEST(Measures, AStrandSlipsOutAtTheGripOfItsJaws) {
 
 // A resident is led to the moment of the largest pull, not to the first or the last.
 TEST(Measures, MomentsAreThoseOfTheMost) {
-    Play play(Scene(Kind::needle_holder, Kind::needle_holder, "ftl"));
+    Play play(Pair(Kind::needle_holder, Kind::needle_holder, "ftl"));
     play.close();
     double pull = 0, pull_s = 0, lag = 0, lag_s = 0;
     const auto look = [&](double by) {
@@ -177,7 +161,7 @@ TEST(Measures, MomentsAreThoseOfTheMost) {
 
 // The thread's own figures come out of every tick: the worst of them, and the sum of all steps.
 TEST(Measures, TheWorstIsThatOfAllTicks) {
-    Play play(Scene(Kind::needle_holder, Kind::needle_holder, "ftl"));
+    Play play(Pair(Kind::needle_holder, Kind::needle_holder, "ftl"));
     play.tick(5);
     EXPECT_EQ(play.world.worst().contacts, 0);
     EXPECT_EQ(play.world.worst().separation, 1e300);
@@ -197,7 +181,7 @@ TEST(Measures, TheWorstIsThatOfAllTicks) {
 
 // Where along the thread, by how much, by whom: each event's words and value.
 TEST(Events, SayWhoWhereAndHowMuch) {
-    Play play(Scene(Kind::needle_holder, Kind::needle_holder, "ftl"));
+    Play play(Pair(Kind::needle_holder, Kind::needle_holder, "ftl"));
     play.close();
     const auto grasps = told(play.world, EventKind::grasp);
     ASSERT_EQ(grasps.size(), 2u);
@@ -224,7 +208,7 @@ TEST(Events, SayWhoWhereAndHowMuch) {
 // Jaws are shut below a quarter of their opening and let go above four tenths, so that a trembling hand does not
 // chatter.
 TEST(Grasps, BeginAtAQuarterAndEndAtFourTenths) {
-    Play play(Scene(Kind::needle_holder, Kind::needle_holder, "ftl"));
+    Play play(Pair(Kind::needle_holder, Kind::needle_holder, "ftl"));
     for (const auto& [jaw, holds] :
          {std::pair(0.255, 0u), {0.245, 1u}, {0.395, 1u}, {0.405, 0u}, {0.255, 0u}, {0.245, 1u}}) {
         play.scene.tools[0].jaw = jaw;
@@ -306,44 +290,29 @@ TEST(Measures, ABiteIsAsLargeAsItsFartherEnd) {
 }
 
 // Two ends that meet at x = 0, a bite in each, and a thread through both whose tails two needle holders draw up.
-struct Stitch {
-    WorldDef def;
-    std::vector<ToolInput> tools;
-
+struct Stitch : Scene {
     Stitch(double left, double right) {
         for (const double side : {-1.0, 1.0}) {
-            VesselDef end;
+            auto end = end_at(0, -6 * side * mm);
             end.name = side < 0 ? "left" : "right";
-            end.wall = 0.5 * mm;
-            end.length = 6 * mm;
-            end.centre = {3 * side * mm, 0, 0};
-            end.start_held = side<0, end.end_held = side> 0;
-            end.is_soft = true;
             const double x = side < 0 ? -left : right;
             end.bitten = {{Vec3(x, 0, 2.5 * mm), Vec3(x, 0, 1 * mm)}};
             def.vessels.push_back(end);
-            def.instruments.push_back({end.name, Kind::needle_holder});
-            Eigen::Matrix3d axes;
-            axes.col(1) = Vec3::UnitZ(), axes.col(2) = -side * Vec3::UnitY();
-            axes.col(0) = axes.col(1).cross(axes.col(2));
             const Vec3 at(2 * side * mm, 0, (side < 0 ? 6 : 9) * mm);
-            tools.push_back({{at + 1.5 * mm * axes.col(2), Quat(axes).normalized()}, 0.6});
+            add(end.name, Kind::needle_holder, {across(at, Vec3::UnitZ(), -side * Vec3::UnitY()), 0.6});
         }
         def.needle.wire = 0.1 * mm;
         def.thread.model = "elastic";
-        def.thread.start = {{-2, 0, 13},
-                            {-2, 0, 4},
-                            {-left / mm, 0, 2.3},
-                            {-left / mm, 0, 1.2},
-                            {right / mm, 0, 1.2},
-                            {right / mm, 0, 2.3},
-                            {2, 0, 4},
-                            {2, 0, 13}};
-        for (Vec3& p : def.thread.start) p *= mm;
-        def.thread.length = 0;
-        for (std::size_t k = 1; k < def.thread.start.size(); ++k)
-            def.thread.length += (def.thread.start[k] - def.thread.start[k - 1]).norm();
-        def.thread.links = 100;
+        std::vector<Vec3> path{{-2, 0, 13},
+                               {-2, 0, 4},
+                               {-left / mm, 0, 2.3},
+                               {-left / mm, 0, 1.2},
+                               {right / mm, 0, 1.2},
+                               {right / mm, 0, 2.3},
+                               {2, 0, 4},
+                               {2, 0, 13}};
+        for (Vec3& p : path) p *= mm;
+        lay(path, 100);
         def.thread.shortest_link = def.thread.diameter;
     }
 };

@@ -1,44 +1,29 @@
 // A needle goes with who holds it, stays where it is let go, and leads the thread by its tail.
 #include <gtest/gtest.h>
 
-#include "scenarios/world/world.hpp"
+#include "tests/scenarios/world/scene.hpp"
 
 namespace needles {
 
-using instruments::ToolInput;
+using namespace scene;
 using scenarios::world::EventKind;
-using scenarios::world::World;
 using sim::geometry::Arc;
-using sim::geometry::Vec3;
-
-constexpr double mm = 1e-3;
 
 // A needle in the plane of x and z, tail to the right, its back up; two needle holders that come from +y and -y can
 // close on it.
-struct Scene {
-    scenarios::world::WorldDef def;
-    std::array<ToolInput, 2> tools;
-
-    Scene() {
-        def.instruments = {{"right", instruments::Kind::needle_holder}, {"left", instruments::Kind::forceps}};
+struct Upright : Scene {
+    Upright() {
         def.needle_code = "BV-1";
         def.needle = {
             .to_tail = Vec3::UnitX(), .onwards = Vec3::UnitZ(), .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
-        def.thread.length = 30 * mm;
-        def.thread.links = 100;
-        def.thread.start = {def.needle.tail(), def.needle.tail() - 30 * mm * def.needle.tangent(0)};
-        tools[0].pose = across(def.needle.at(2 * mm), def.needle.tangent(2 * mm), 1);
-        tools[1].pose = across(def.needle.at(7 * mm), def.needle.tangent(7 * mm), -1);
+        lay({def.needle.tail(), def.needle.tail() - 30 * mm * def.needle.tangent(0)}, 100);
+        add("right", Kind::needle_holder, {across_y(2 * mm, 1), 1});
+        add("left", Kind::forceps, {across_y(7 * mm, -1), 1});
     }
 
-    // Jaws whose middle plane a wire at `at` along `along` crosses 1.5 mm behind their tips; the tool points along y or
-    // against it.
-    static instruments::Pose across(const Vec3& at, const Vec3& along, double way) {
-        Eigen::Matrix3d axes;
-        axes.col(2) = way * Vec3::UnitY();
-        axes.col(1) = along;
-        axes.col(0) = axes.col(1).cross(axes.col(2));
-        return {at + 1.5 * mm * axes.col(2), sim::geometry::Quat(axes).normalized()};
+    // Jaws across the wire `along` from its tail, whose tool points along y or against it.
+    instruments::Pose across_y(double along, double way) const {
+        return across(def.needle.at(along), def.needle.tangent(along), way * Vec3::UnitY());
     }
 };
 
@@ -46,17 +31,10 @@ double off(const Arc& a, const Arc& b) {
     return (a.tail() - b.tail()).norm() + (a.tip() - b.tip()).norm();
 }
 
-std::size_t count(const World& world, EventKind kind) {
-    return static_cast<std::size_t>(std::count_if(world.events().begin(), world.events().end(),
-                                                  [&](const auto& event) { return event.kind == kind; }));
-}
-
 TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
-    Scene scene;
-    World world(scene.def, {}, scene.tools);
-    const auto go = [&](int ticks) {
-        for (int t = 0; t < ticks; ++t) world.tick(scene.tools);
-    };
+    Upright scene;
+    World world = scene.world();
+    const auto go = [&](int ticks) { scene.play(world, ticks); };
     go(10);
     EXPECT_EQ(off(world.needle(), scene.def.needle), 0) << "nobody holds it";
     scene.tools[0].jaw = 0;
@@ -79,12 +57,12 @@ TEST(Needle, GoesWithItsHolderAndLeadsTheThread) {
 
 // Crushed beside the wire and not held, it stopped the tool, and with it all others.
 TEST(Needle, AStrandBetweenTheSameJawsIsHeldToo) {
-    Scene scene;
+    Upright scene;
     const Vec3 along = scene.def.needle.tangent(2 * mm), beside = scene.def.needle.at(2 * mm) - 1 * mm * Vec3::UnitY();
     scene.def.thread.model = "elastic";
     scene.def.thread.start = {scene.def.needle.tail(), scene.def.needle.tail() - 6 * mm * scene.def.needle.tangent(0),
                               beside - 8 * mm * along, beside + 8 * mm * along};
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     for (int t = 0; t < 100; ++t) world.tick(scene.tools), scene.tools[0].jaw -= 0.01;
     EXPECT_EQ(count(world, EventKind::needle_grasp), 1u);
     EXPECT_EQ(world.tools()[0].grasps.size(), 1u);
@@ -96,13 +74,13 @@ TEST(Needle, AStrandBetweenTheSameJawsIsHeldToo) {
 
 TEST(Needle, TellsAtWhatAngleItIsHeld) {
     for (const double aslant : {0.0, 30.0}) {
-        Scene scene;
+        Upright scene;
         const auto half = sim::geometry::portable_sin_cos(aslant / 360 * 3.14159265358979);
         auto& rotation = scene.tools[0].pose.rotation;
         const Vec3 at = scene.tools[0].pose.position;
         rotation = rotation * sim::geometry::Quat(half.cos, 0, 0, half.sin);  // about its own axis
         scene.tools[0].pose.position = at;
-        World world(scene.def, {}, scene.tools);
+        World world = scene.world();
         for (int t = 0; t < 10; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
         ASSERT_EQ(count(world, EventKind::needle_grasp), 1u);
         EXPECT_EQ(world.events().back().what, aslant == 0 ? "right at 90 degrees" : "right at 60 degrees");
@@ -116,7 +94,7 @@ TEST(Needle, TellsAtWhatAngleItIsHeld) {
 // Pushed tip first against a wall that it cannot pierce: once it is pushed harder than steel of its wire bears that far
 // from the jaws.
 TEST(Needle, BendsOnce) {
-    Scene scene;
+    Upright scene;
     const Vec3 on = scene.def.needle.tangent(scene.def.needle.length());
     scenarios::world::VesselDef wall;
     wall.axis = Vec3::UnitY();
@@ -127,7 +105,7 @@ TEST(Needle, BendsOnce) {
     wall.puncture_force = 100;
     scene.def.vessels = {wall};
     scene.tools[1].pose.position.y() -= 40 * mm;
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     const auto force = [&] { return world.vessels()[0].bites.force().norm(); };
     for (int t = 0; t < 5; ++t) world.tick(scene.tools), scene.tools[0].jaw = 0;
     const double arm = (scene.def.needle.tip() - scene.def.needle.at(2 * mm)).norm(),
@@ -152,11 +130,9 @@ TEST(Needle, BendsOnce) {
 }
 
 TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
-    Scene scene;
-    World world(scene.def, {}, scene.tools);
-    const auto go = [&](int ticks) {
-        for (int t = 0; t < ticks; ++t) world.tick(scene.tools);
-    };
+    Upright scene;
+    World world = scene.world();
+    const auto go = [&](int ticks) { scene.play(world, ticks); };
     scene.tools[0].jaw = 0;
     go(5);
     scene.tools[1].jaw = 0;
@@ -186,8 +162,8 @@ TEST(Needle, IsHandedOverAndStaysWhereItIsLetGo) {
 
 // Each leads its own thread, whatever becomes of the other's links.
 TEST(Needle, IsHeldNoMoreByJawsThatLeftIt) {
-    Scene scene;
-    World world(scene.def, {}, scene.tools);
+    Upright scene;
+    World world = scene.world();
     const auto go = [&](int ticks, double up) {
         for (int t = 0; t < ticks; ++t) {
             scene.tools[1].pose.position.z() += up;
@@ -208,20 +184,20 @@ TEST(Needle, IsHeldNoMoreByJawsThatLeftIt) {
 }
 
 TEST(Needle, ASpareLeadsItsOwnThread) {
-    Scene scene;
+    Upright scene;
     const Vec3 aside(0, 60 * mm, 0);
     scene.def.thread.model = "elastic";
     scene.def.thread.shortest_link = scene.def.thread.diameter;
-    scene.def.instruments.push_back({"scissors", instruments::Kind::scissors});
     scenarios::world::SpareDef spare{scene.def.needle, scene.def.thread.start};
     spare.needle.centre += aside;
     for (Vec3& corner : spare.start) corner += aside;
     scene.def.spares = {spare};
     const Arc& first = scene.def.needle;
-    std::array<ToolInput, 3> tools{scene.tools[0], scene.tools[1], {}};
+    auto& tools = scene.tools;
     tools[0].pose.position += aside;
-    tools[2].pose = Scene::across(first.tail() - 10 * mm * first.tangent(0), first.tangent(0), 1);
-    World world(scene.def, {}, tools);
+    scene.add("scissors", Kind::scissors,
+              {across(first.tail() - 10 * mm * first.tangent(0), first.tangent(0), Vec3::UnitY()), 1});
+    World world = scene.world();
     const auto go = [&](int ticks, const Vec3& way) {
         for (int t = 0; t < ticks; ++t) tools[0].pose.position += way, world.tick(tools);
     };
@@ -248,8 +224,8 @@ TEST(Needle, ASpareLeadsItsOwnThread) {
 
 // The second has it from where the first last had it, not from where it was when the second closed on it.
 TEST(Needle, IsHandedOverFromWhereItIsNow) {
-    Scene scene;
-    World world(scene.def, {}, scene.tools);
+    Upright scene;
+    World world = scene.world();
     const auto go = [&](int ticks, double up = 0) {
         for (int t = 0; t < ticks; ++t) scene.tools[0].pose.position.z() += up, world.tick(scene.tools);
     };

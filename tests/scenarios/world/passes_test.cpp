@@ -4,47 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenarios/world/world.hpp"
+#include "tests/scenarios/world/scene.hpp"
 
 namespace passing {
 
-using instruments::ToolInput;
-using scenarios::world::World;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
+using namespace scene;
 
-constexpr double mm = 1e-3, tick = 1e-3;
+constexpr double tick = 1e-3;
 
 // A vessel that ends at x = 0, held at its other end, and a thread whose two ends needle holders hold where it is laid.
-struct Scene {
-    scenarios::world::WorldDef def;
-    std::vector<ToolInput> tools;
-
-    explicit Scene(const char* model) {
-        scenarios::world::VesselDef end;
-        end.wall = 0.5 * mm;
-        end.length = 6 * mm;
-        end.centre = {-3 * mm, 0, 0};
-        end.end_held = false;
-        end.is_soft = true;
-        end.young_modulus = 1e6;
-        def.vessels.push_back(end);
+struct Ending : Scene {
+    explicit Ending(const char* model) {
+        def.vessels.push_back(end_at(0, 6 * mm));
+        def.vessels[0].young_modulus = 1e6;
         def.thread.model = model;
         def.thread.shortest_link = def.thread.diameter;
     }
-    void lay(const std::vector<Vec3>& path, double link) {
-        def.thread.start = path;
-        def.thread.length = 0;
-        for (std::size_t k = 1; k < path.size(); ++k) def.thread.length += (path[k] - path[k - 1]).norm();
+    void lay_by(const std::vector<Vec3>& path, double link) {
+        lay(path, 1);
         def.thread.links = static_cast<int>(std::lround(def.thread.length / link));
     }
-    // Across a strand along `way`, pointing along `points`, 1.5 mm past it.
+    // Jaws across a strand along `way`, pointing along `points`.
     void hold(const char* name, const Vec3& at, const Vec3& way, const Vec3& points) {
-        def.instruments.push_back({name, instruments::Kind::needle_holder});
-        Eigen::Matrix3d axes;
-        axes.col(1) = way, axes.col(2) = points;
-        axes.col(0) = axes.col(1).cross(axes.col(2));
-        tools.push_back({{at + 1.5 * mm * points, Quat(axes).normalized()}, 0.6});
+        add(name, Kind::needle_holder, {across(at, way, points), 0.6});
     }
 };
 
@@ -79,19 +61,19 @@ class Passes : public testing::TestWithParam<const char*> {};
 // Down through one hole and up again beside itself. Each strand is drawn, one this way and one that, so that the loop
 // below gets shorter.
 TEST_P(Passes, TwoStrandsGoThroughOneHole) {
-    Scene scene(GetParam());
+    Ending scene(GetParam());
     const double x = -1.5 * mm, apart = 0.05 * mm, high = 2.9 * mm, deep = -1.2 * mm;
     scene.def.vessels[0].bitten = {{Vec3(x, 0, 2.5 * mm), Vec3(x, 0, 1 * mm)}};
-    scene.lay({{-14 * mm, -apart, high},
-               {x, -apart, high},
-               {x, -apart, deep},
-               {x, apart, deep},
-               {x, apart, high},
-               {12 * mm, apart, high}},
-              0.1 * mm);
+    scene.lay_by({{-14 * mm, -apart, high},
+                  {x, -apart, high},
+                  {x, -apart, deep},
+                  {x, apart, deep},
+                  {x, apart, high},
+                  {12 * mm, apart, high}},
+                 0.1 * mm);
     scene.hold("left", {-8 * mm, -apart, high}, Vec3::UnitX(), Vec3::UnitY());
     scene.hold("right", {6 * mm, apart, high}, Vec3::UnitX(), -Vec3::UnitY());
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     const double at_first = length(world);
     const auto below = [&] {
         const auto out = strands_in(world, 1);
@@ -128,7 +110,7 @@ TEST_P(Passes, TwoStrandsGoThroughOneHole) {
 
 // A running suture without a second vessel: in from outside, out over the cut, twenty times round.
 TEST_P(Passes, TwentyGoThroughOneRing) {
-    Scene scene(GetParam());
+    Ending scene(GetParam());
     constexpr int passes = 20;
     std::vector<Vec3> path;
     const auto at = [](double angle, double x, double r) {
@@ -145,10 +127,10 @@ TEST_P(Passes, TwentyGoThroughOneRing) {
         if (i + 1 < passes) path.push_back(at(angle + 0.5 * step, 0.5 * mm, 2.4 * mm));
     }
     path.push_back(at((passes - 0.5) * step, 14 * mm, 1.1 * mm));
-    scene.lay(path, 0.15 * mm);
+    scene.lay_by(path, 0.15 * mm);
     scene.hold("right", at((passes - 0.5) * step, 8 * mm, 1.1 * mm), Vec3::UnitX(), -Vec3::UnitY());
     scene.hold("left", at(0.5 * step, -1.2 * mm, 8 * mm), at(0.5 * step, 0, 1), Vec3::UnitX());
-    World world(scene.def, {}, scene.tools);
+    World world = scene.world();
     ASSERT_EQ(world.vessels()[0].bites.bites().size(), static_cast<std::size_t>(passes));
     const double at_first = length(world);
     const int last_hole = world.vessels()[0].bites.bites().back().exit.hole;

@@ -1,43 +1,31 @@
 // Two cut ends that give way, a needle through both, a thread through their four skins.
 #include <gtest/gtest.h>
 
-#include "scenarios/world/world.hpp"
 #include "sim/geometry/closest_points.hpp"
+#include "tests/scenarios/world/scene.hpp"
 
 namespace sewing {
 
-using instruments::ToolInput;
-using scenarios::world::World;
+using namespace scene;
 using sim::geometry::Arc;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
 
-constexpr double mm = 1e-3, tick = 1e-3;
+constexpr double tick = 1e-3;
 
 // The needle's circle stands upright over the gap, so that driven round it the needle meets both ends; its holder is
 // turned about the circle's axis, as a wrist turns. A second one waits aside. Walls so soft to puncture that nobody
 // need back them.
-struct Scene {
-    scenarios::world::WorldDef def;
-    std::array<ToolInput, 2> tools;
+struct Gap : Scene {
     Vec3 centre = {0, 0, 4.79 * mm};
 
-    Scene(const char* model, int links, bool with_spare) {
-        def.instruments = {{"right", instruments::Kind::needle_holder}, {"left", instruments::Kind::forceps}};
+    Gap(const char* model, int links, bool with_spare) {
         def.needle_code = "BV-1";
         def.needle = {.centre = centre, .radius = 3.95 * mm, .angle = 2.356, .wire = 0.1 * mm};
         const auto tail = sim::geometry::portable_sin_cos(-3.4034);  // 195 degrees before the lowest point
         def.needle.to_tail = {tail.sin, 0, -tail.cos};
         def.needle.onwards = {tail.cos, 0, tail.sin};
         for (const double side : {-1.0, 1.0}) {
-            scenarios::world::VesselDef end;
+            auto end = end_at(1.5 * side * mm, -4 * side * mm);
             end.name = side < 0 ? "left" : "right";
-            end.wall = 0.5 * mm;
-            end.length = 4 * mm;
-            end.centre = {3.5 * side * mm, 0, 0};
-            end.start_held = side < 0;
-            end.end_held = side > 0;
-            end.is_soft = true;
             end.young_modulus = 0.3e6;
             end.puncture_force = 0.008;
             def.vessels.push_back(end);
@@ -49,9 +37,9 @@ struct Scene {
         const Vec3 behind = def.needle.tail() - 0.7 * mm * def.needle.tangent(0);
         def.thread.start = {def.needle.tail(), behind, behind + Vec3(-1 * mm, 3 * mm, 0),
                             behind + Vec3(-40 * mm, 4 * mm, 0)};
-        tools[0] = {across(def.needle, 1 * mm, 1), 0};
+        add("right", Kind::needle_holder, {across_y(def.needle, 1 * mm, 1), 0});
+        add("left", Kind::forceps, {{{0, 40 * mm, 40 * mm}, Quat::Identity()}, 0.6});
         if (with_spare) lay_first_aside();
-        tools[1] = {{{0, 40 * mm, 40 * mm}, Quat::Identity()}, 0.6};
     }
 
     // What is sewn with is then a spare.
@@ -62,12 +50,9 @@ struct Scene {
         for (Vec3& corner : def.thread.start) corner += aside;
     }
 
-    // Jaws whose middle plane the wire crosses, 1.5 mm behind their tips; the tool points along y or against it.
-    static instruments::Pose across(const Arc& needle, double along, double way) {
-        Eigen::Matrix3d axes;
-        axes.col(1) = needle.tangent(along), axes.col(2) = way * Vec3::UnitY();
-        axes.col(0) = axes.col(1).cross(axes.col(2));
-        return {needle.at(along) + 1.5 * mm * axes.col(2), Quat(axes).normalized()};
+    // Jaws across the wire `along` from its tail, whose tool points along y or against it.
+    static instruments::Pose across_y(const Arc& needle, double along, double way) {
+        return across(needle.at(along), needle.tangent(along), way * Vec3::UnitY());
     }
 
     void turn(ToolInput& tool, double degrees) {
@@ -90,8 +75,8 @@ void PrintTo(const Case& of, std::ostream* out) {
 class SewingTest : public testing::TestWithParam<Case> {};
 
 TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
-    Scene scene(GetParam().model, GetParam().links, GetParam().with_spare);
-    World world(scene.def, {}, scene.tools);
+    Gap scene(GetParam().model, GetParam().links, GetParam().with_spare);
+    World world = scene.world();
     const auto length = [&] {
         double sum = 0;
         for (const auto& piece : world.curves())
@@ -99,13 +84,13 @@ TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
         return sum;
     };
     const double at_first = length();
-    auto& [right, left] = scene.tools;
+    ToolInput &right = scene.tools[0], &left = scene.tools[1];
     const auto go = [&](int ticks, const auto& move) {
         for (int t = 0; t < ticks; ++t) move(), world.tick(scene.tools);
     };
     go(5, [] {});
     go(1300, [&] { scene.turn(right, 0.1); });  // 100 degrees a second: the tip moves at 7 mm/s
-    left.pose = Scene::across(world.needle(), world.needle().length() - 0.6 * mm, -1);
+    left.pose = Gap::across_y(world.needle(), world.needle().length() - 0.6 * mm, -1);
     left.pose.position.y() += 15 * mm;
     go(300, [] {});  // a hand that leaps: the tool comes after it
     go(750, [&] { left.pose.position.y() -= 0.02 * mm; });
@@ -147,12 +132,12 @@ TEST_P(SewingTest, ThreadFollowsTheNeedleThroughFourSkins) {
 // Walls feel one needle at a time. One that is taken while another is in a wall waits until that is out, not until it
 // is taken again.
 TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
-    Scene scene("ftl", 130, true);
+    Gap scene("ftl", 130, true);
     std::swap(scene.def.needle, scene.def.spares[0].needle);
     std::swap(scene.def.thread.start, scene.def.spares[0].start);
-    auto& [right, left] = scene.tools;
-    left = {Scene::across(scene.def.spares[0].needle, 5 * mm, 1), 0.6};
-    World world(scene.def, {}, scene.tools);
+    ToolInput &right = scene.tools[0], &left = scene.tools[1];
+    left = {Gap::across_y(scene.def.spares[0].needle, 5 * mm, 1), 0.6};
+    World world = scene.world();
     const auto go = [&](int ticks, double degrees) {
         for (int t = 0; t < ticks; ++t) scene.turn(right, degrees), world.tick(scene.tools);
     };
@@ -171,8 +156,8 @@ TEST(Sewing, AnotherNeedleIsFeltOnceTheFirstIsOut) {
 
 // What it took to pierce a wall is told: its puncture force, and what one more step of the tip adds to that.
 TEST(Sewing, TellsWithWhatForceASkinWasPierced) {
-    Scene scene("ftl", 130, false);
-    World world(scene.def, {}, scene.tools);
+    Gap scene("ftl", 130, false);
+    World world = scene.world();
     for (int t = 0; t < 500 && world.vessels()[0].bites.bites().empty(); ++t)
         scene.turn(scene.tools[0], t < 5 ? 0 : 0.1), world.tick(scene.tools);
     ASSERT_EQ(world.events().size(), 2u);

@@ -4,52 +4,36 @@
 #include <algorithm>
 
 #include "scenarios/world/judge.hpp"
-#include "scenarios/world/world.hpp"
+#include "tests/scenarios/world/scene.hpp"
 
 namespace tearing {
 
-using instruments::ToolInput;
+using namespace scene;
 using scenarios::world::EventKind;
-using scenarios::world::World;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
 
-constexpr double mm = 1e-3, tick = 1e-3;
+constexpr double tick = 1e-3;
 
 // The vessel ends at x = 0, held at its other end. 6-0 thread comes over it, goes down through its wall and out by its
 // lumen; needle holders beyond the cut hold both strands.
-struct Scene {
-    scenarios::world::WorldDef def;
-    std::vector<ToolInput> tools;
-
-    explicit Scene(const char* model, double bite, double wall = 0.5 * mm) {
-        scenarios::world::VesselDef end;
+struct Bitten : Scene {
+    explicit Bitten(const char* model, double bite, double wall = 0.5 * mm) {
+        auto end = end_at(0, 6 * mm);
         end.wall = wall;
-        end.length = 6 * mm;
-        end.centre = {-3 * mm, 0, 0};
-        end.end_held = false;
-        end.is_soft = true;
         end.young_modulus =
             2e6;  // half as much is drawn out into a tongue of 5 mm before it tears, on which strands lie too
         end.bitten = {{Vec3(-bite, 0, 2.5 * mm), Vec3(-bite, 0, 1 * mm)}};
         def.vessels.push_back(end);
         def.thread.model = model;
-        def.thread.start = {{14 * mm, 0, 2.6 * mm}, {0.5 * mm, 0, 2.6 * mm}, {-bite, 0, 2.3 * mm},
-                            {-bite, 0, 1.2 * mm},   {0.5 * mm, 0, 0.9 * mm}, {14 * mm, 0, 0.9 * mm}};
-        def.thread.length = 0;
-        for (std::size_t k = 1; k < def.thread.start.size(); ++k)
-            def.thread.length += (def.thread.start[k] - def.thread.start[k - 1]).norm();
-        def.thread.links = 100;
+        lay({{14 * mm, 0, 2.6 * mm},
+             {0.5 * mm, 0, 2.6 * mm},
+             {-bite, 0, 2.3 * mm},
+             {-bite, 0, 1.2 * mm},
+             {0.5 * mm, 0, 0.9 * mm},
+             {14 * mm, 0, 0.9 * mm}},
+            100);
         def.thread.shortest_link = def.thread.diameter;
-        for (const double z : {2.6 * mm, 0.9 * mm}) {
-            const double way = z > 2 * mm ? 1 : -1;
-            def.instruments.push_back({way > 0 ? "upper" : "lower", instruments::Kind::needle_holder});
-            Eigen::Matrix3d axes;
-            axes.col(1) = Vec3::UnitX(), axes.col(2) = -way * Vec3::UnitY();
-            axes.col(0) = axes.col(1).cross(axes.col(2));
-            tools.push_back(
-                {{Vec3((way > 0 ? 4 : 10) * mm, 0, z) + 1.5 * mm * axes.col(2), Quat(axes).normalized()}, 0.6});
-        }
+        add("upper", Kind::needle_holder, {across({4 * mm, 0, 2.6 * mm}, Vec3::UnitX(), -Vec3::UnitY()), 0.6});
+        add("lower", Kind::needle_holder, {across({10 * mm, 0, 0.9 * mm}, Vec3::UnitX(), Vec3::UnitY()), 0.6});
     }
 };
 
@@ -71,7 +55,7 @@ double pull(const World& world) {
 
 void close(Scene& scene, World& world) {
     for (ToolInput& tool : scene.tools) tool.jaw = 0;
-    for (int t = 0; t < 50; ++t) world.tick(scene.tools);
+    scene.play(world, 50);
     for (const auto& tool : world.tools()) ASSERT_EQ(tool.grasps.size(), 1u);
 }
 
@@ -112,8 +96,8 @@ class Tear : public testing::TestWithParam<const char*> {};
 TEST_P(Tear, OpensTheBiteOnceAndLetsTheThreadGo) {
     std::uint64_t hash = 0;
     for (const bool again : {false, true}) {
-        Scene scene(GetParam(), 0.8 * mm);
-        World world(scene.def, {}, scene.tools);
+        Bitten scene(GetParam(), 0.8 * mm);
+        World world = scene.world();
         ASSERT_EQ(world.vessels()[0].bites.bites().size(), 1u);
         const double borne = bears(world), at_first = length(world);
         EXPECT_NEAR(borne, 1.35 * (0.5 / 0.4) * (0.8 / 2), 1e-3);  // [N]; the tube's faces are flat
@@ -157,11 +141,11 @@ TEST_P(Tear, OpensTheBiteOnceAndLetsTheThreadGo) {
 // What both strands are drawn out with goes through the rim into the tissue, all of it: at rest the clamps hold as
 // much.
 TEST(Tearing, WhatJawsDrawWithTheClampsHold) {
-    Scene scene("elastic", 0.8 * mm);
-    World world(scene.def, {}, scene.tools);
+    Bitten scene("elastic", 0.8 * mm);
+    World world = scene.world();
     close(scene, world);
     while (pull(world) < 0.4 * bears(world) && world.time_s() < 2) draw(scene, world, 3 * mm);
-    for (int t = 0; t < 1000; ++t) world.tick(scene.tools);
+    scene.play(world, 1000);
     const auto& vessel = world.vessels()[0];
     Vec3 held = Vec3::Zero();
     for (const tissue::Hold& clamp : vessel.clamps) held -= vessel.tissue.hold_force(clamp.node);
@@ -172,15 +156,15 @@ TEST(Tearing, WhatJawsDrawWithTheClampsHold) {
 
 // To nine tenths of what the bite bears, by which the wall is drawn, and held there for a second.
 TEST_P(Tear, IsNotTornByLess) {
-    Scene scene(GetParam(), 0.8 * mm);
-    World world(scene.def, {}, scene.tools);
+    Bitten scene(GetParam(), 0.8 * mm);
+    World world = scene.world();
     close(scene, world);
     const double most = 0.9 * bears(world);
     const int openings = world.vessels()[0].skin.openings();
     while (pull(world) < most && world.time_s() < 2) draw(scene, world, 3 * mm);
     EXPECT_GE(pull(world), most);
     EXPECT_GT(off_rest(world), 0.1 * mm);
-    for (int t = 0; t < 1000; ++t) world.tick(scene.tools);
+    scene.play(world, 1000);
     EXPECT_TRUE(torn(world).empty());
     EXPECT_EQ(world.vessels()[0].skin.openings(), openings);
     EXPECT_FALSE(world.vessels()[0].bites.bites()[0].torn);
@@ -188,8 +172,8 @@ TEST_P(Tear, IsNotTornByLess) {
 
 // E29: drawn on as if to 5 N, on a wall of a tenth of a millimetre.
 TEST_P(Tear, TearsAThinWallOnce) {
-    Scene scene(GetParam(), 0.8 * mm, 0.1 * mm);
-    World world(scene.def, {}, scene.tools);
+    Bitten scene(GetParam(), 0.8 * mm, 0.1 * mm);
+    World world = scene.world();
     const double borne = bears(world);
     EXPECT_NEAR(borne, 1.35 * (0.1 / 0.4) * (0.8 / 2), 1e-3);
     close(scene, world);
@@ -205,8 +189,8 @@ TEST_P(Tear, TearsAThinWallOnce) {
 
 // E40: one strand is jammed between jaws, the other one leaps away with ten times what hands do.
 TEST_P(Tear, TearsOrBreaksOnceWhenYanked) {
-    Scene scene(GetParam(), 0.8 * mm);
-    World world(scene.def, {}, scene.tools);
+    Bitten scene(GetParam(), 0.8 * mm);
+    World world = scene.world();
     close(scene, world);
     for (int t = 0; t < 1000; ++t) {
         if (t < 40) scene.tools[0].pose.position.x() += 500 * mm * tick;
@@ -227,8 +211,8 @@ TEST_P(Tear, TearsOrBreaksOnceWhenYanked) {
 
 // What of an estimate lasts less than a tenth of a second was a hand that leapt.
 TEST(Tearing, DoesNotBelieveAnEstimateAtOnce) {
-    Scene scene("ftl", 0.8 * mm);
-    World world(scene.def, {}, scene.tools);
+    Bitten scene("ftl", 0.8 * mm);
+    World world = scene.world();
     close(scene, world);
     const double borne = bears(world);
     while (pull(world) < borne && world.time_s() < 2) draw(scene, world, 5 * mm);
