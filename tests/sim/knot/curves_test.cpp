@@ -134,6 +134,16 @@ TEST(LabelledCurves, HitchesAndWorkingKnotsAreCalledByTheirNames) {
     EXPECT_EQ(checked, 11);
 }
 
+// Knots of the three types that bowlines are of, none of which has an eye.
+TEST(LabelledCurves, WithoutAnEyeAreNoBowlines) {
+    for (const auto& [id, type] : {std::pair("p014", "m6_2"), {"p016", "6_3"}, {"p070", "m8_20"}}) {
+        const auto curve = ropes::labelled(id).at(0);
+        const auto name = sim::knot::name_link(curve.components).name;
+        EXPECT_EQ(name.knot, type) << id;
+        EXPECT_EQ(name.surgical, "") << id;
+    }
+}
+
 // Tied stitches as they lie in space: from some sides a strand hides the order of the throws, which others show;
 // straightened, the capsized one hid it from six of them in two of a hundred attitudes, and as it lay.
 TEST(TiedStitch, IsReadAlikeHoweverItIsTurned) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/knot/identify.hpp"
 #include "tests/sim/knot/ropes.hpp"
 
 using ropes::Rope;
@@ -246,4 +247,29 @@ TEST(Namer, ASumIsCertainIfAllOfItIs) {
     }
     EXPECT_TRUE(name_knot(joined(trefoil, trefoil, aside)).certain);
     EXPECT_EQ(name_knot(joined(trefoil, trefoil, aside)).knot, "3_1#3_1");
+}
+
+// A drawing of the unknot that no move makes smaller has 17 crossings, more than T(2, 11): it is looked at last, and
+// known for certain. Nothing is certain of both together.
+TEST(Namer, ASumIsNotCertainForItsLastPart) {
+    using namespace sim::knot;
+    const Diagram unknot{{{{0, true},  {12, false}, {11, true},  {0, false}, {4, true},  {13, false}, {14, false},
+                           {1, true},  {2, true},   {3, false},  {15, true}, {16, true}, {1, false},  {5, false},
+                           {9, true},  {2, false},  {16, false}, {8, true},  {12, true}, {11, false}, {6, true},
+                           {7, false}, {10, false}, {9, false},  {5, true},  {14, true}, {8, false},  {6, false},
+                           {7, true},  {15, false}, {3, true},   {10, true}, {13, true}, {4, false}}},
+                         {-1, -1, 1, 1, -1, 1, 1, 1, -1, 1, -1, -1, -1, -1, -1, 1, -1}};
+    constexpr int twists = 11;
+    Diagram sum = unknot;
+    for (int k = 0; k < 2 * twists; ++k) sum.strands[0].push_back({unknot.crossings() + k % twists, k % 2 == 0});
+    sum.sign.insert(sum.sign.end(), twists, 1);
+    Work work;
+    EXPECT_TRUE(identify(unknot, work).certain);
+    EXPECT_EQ(identify(unknot, work).name(), "0_1");
+    Diagram left = sum;
+    simplify(left);
+    EXPECT_EQ(left.crossings(), sum.crossings()) << "or it is looked at first";
+    const Identity both = identify(sum, work);
+    EXPECT_FALSE(both.certain);
+    EXPECT_EQ(both.name(), "unknown");
 }
