@@ -116,3 +116,14 @@ TEST(Meshes, ABadFileIsOneClearLine) {
     EXPECT_EQ(error_in("v 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n"), "");
     EXPECT_EQ(error_in("v 0 0 0\nv 5 0 0\nv 0 5 0\nv 0 0 5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"), "");
 }
+
+// From a tenth of a millimetre to a metre: beyond that it was written in another unit.
+TEST(Meshes, AreATenthToAThousandMillimetresLarge) {
+    const auto error = [](const char* size) {
+        return error_in(std::string("v 0 0 0\nv ") + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+    };
+    EXPECT_EQ(error("0.101"), "");
+    EXPECT_EQ(error("999"), "");
+    EXPECT_NE(error("0.099").find("at least 0.1 mm is right"), std::string::npos);
+    EXPECT_NE(error("1001").find("at most 1000 mm is right"), std::string::npos);
+}

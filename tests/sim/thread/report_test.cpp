@@ -77,6 +77,28 @@ TEST(Report, OfAThreadThatIsTaut) {
     }
 }
 
+// One tool pulls a thread that is taut, and waits; the other gives way, and need not: what is told is the share of the
+// first.
+TEST(Report, TellsTheLeastShareThatAnyToolMade) {
+    Thread thread({}, straight(20));
+    const int owners[] = {0, 1};
+    Vec3 left = thread.nodes()[0], right = thread.nodes()[20];
+    const auto pulled = [&](double left_by, double right_by) {
+        const Hold holds[] = {{0, left + Vec3(left_by, 0, 0)}, {20, right + Vec3(right_by, 0, 0)}};
+        const TickReport report = thread.tick({holds, owners, {}, nullptr});
+        left.x() += thread.progress(0) * left_by, right.x() += thread.progress(1) * right_by;
+        return report.fraction;
+    };
+    for (int i = 0; i < 40; ++i) pulled(0, 0.1 * radius);
+    int one_waits = 0;
+    for (int i = 0; i < 12; ++i) {
+        const double fraction = pulled(0.01 * radius, 0.1 * radius);
+        EXPECT_EQ(fraction, std::min(thread.progress(0), thread.progress(1)));
+        one_waits += thread.progress(0) - thread.progress(1) > 0.5;
+    }
+    EXPECT_GT(one_waits, 2);
+}
+
 // Follow-The-Leader has no forces: what a taut thread carries is what one of its stiffness would that is as much longer
 // as a hand lags, 15.9 N times a hundredth here.
 TEST(Tension, IsThatOfAThreadAsMuchLonger) {

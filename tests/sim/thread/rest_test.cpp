@@ -67,8 +67,8 @@ TEST(Rest, ATickWithANumberThatIsNotFiniteIsNotTaken) {
         EXPECT_TRUE(report.not_finite);
         EXPECT_EQ(report.fraction, 0);
         const sim::geometry::Capsule good{Vec3(1, 0, 0), Vec3(1, 1, 0), 1e-3},
-            broken{Vec3(1, 0, bad), Vec3(1, 1, 0), 1e-3};
-        for (const auto& [from, to] : {std::pair(good, broken), std::pair(broken, good)}) {
+            start{Vec3(1, 0, bad), Vec3(1, 1, 0), 1e-3}, end{Vec3(1, 0, 0), Vec3(1, bad, 0), 1e-3};
+        for (const auto& [from, to] : {std::pair(good, start), {good, end}, {start, good}, {end, good}}) {
             const sim::thread::MovingCapsule capsules[] = {{from, to, 0}};
             EXPECT_TRUE(thread.tick({{}, {}, capsules, nullptr}).not_finite);
         }
