@@ -178,6 +178,7 @@ TEST(Grasp, JawsStopOnStrandsThatCross) {
         EXPECT_GT(tool.now.jaw, 0) << "as far as they are thick";
         EXPECT_LT(tool.now.jaw, 0.1);
         EXPECT_GE(world.worst().separation, 0.99);
+        EXPECT_LE(world.worst().separation, 1.2) << "diameters: they touch";
         EXPECT_EQ(world.measures().pass_throughs, 0u);
     }
 }

@@ -38,6 +38,10 @@ TEST(WallGrip, HoldsBothWallsOfAVesselPinchedFlat) {
     EXPECT_GT(below, 20);
     for (const auto& grip : world.tools()[0].walls)
         EXPECT_LT(std::abs(wall.position(grip.at).z()), scene.def.vessels[0].wall);
+    ASSERT_EQ(world.events().size(), 1u);
+    EXPECT_EQ(world.events()[0].kind, scenarios::world::EventKind::wall_grasp);
+    EXPECT_EQ(world.events()[0].what, "forceps, vessel");
+    EXPECT_EQ(world.events()[0].value, above + below) << "points held";
 }
 
 }  // namespace wall_gripping
