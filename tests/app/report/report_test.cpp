@@ -213,3 +213,55 @@ TEST(Report, Base64) {
     EXPECT_EQ(of("foobar"), "Zm9vYmFy");
     EXPECT_EQ(of("\xff\xfe\xfb"), "//77");
 }
+
+// Each figure stands beside its own title: of two that are exchanged both could be shown and neither be right.
+TEST(Report, EachFigureStandsBesideItsTitle) {
+    Result r = tied();
+    r.stretch_settled = 0.001234, r.pass_throughs = 3;
+    const std::string html = report_html(r, {});
+    const std::pair<const char*, const char*> figures[] = {{"Pass-throughs", "3"},
+                                                           {"Stretch, largest", "0.400 %"},
+                                                           {"Stretch, at the end", "0.123 %"},
+                                                           {"Separation, least", "0.9980 diameters"},
+                                                           {"Node step, largest", "1.0000 of its bound"},
+                                                           {"Contacts, most", "61"},
+                                                           {"Links", "300"},
+                                                           {"Ticks", "24000"},
+                                                           {"Tick time", "41.0 / 63.0 / 120.0 µs"},
+                                                           {"State hash", "0123456789abcdef"}};
+    for (const auto& [title, value] : figures)
+        EXPECT_TRUE(has(html, std::string("<th scope=\"row\">") + title + "</th><td>" + value + "</td>")) << title;
+    EXPECT_TRUE(has(html, "In 61234 substeps."));
+    EXPECT_TRUE(has(html, "24.0 s of simulated time."));
+    r.separation_min = 1e300;
+    EXPECT_TRUE(has(report_html(r, {}), "never near"));
+}
+
+// How many were missed of how many that were judged, and what an item's row says of it.
+TEST(Report, CountsWhatWasMissedAndJudged) {
+    Result r = tied();
+    EXPECT_TRUE(has(report_html(r, {}), "2 of 3 judged items outside their band."));
+    r.items[0].passed = true;
+    EXPECT_TRUE(has(report_html(r, {}), "1 of 3 judged items outside their band."));
+    EXPECT_TRUE(has(report_html(r, {}),
+                    "<th scope=\"row\">Time</th><td>131.0 s</td><td>at most 120 s</td><td "
+                    "class=\"sign fail\">✗ fail</td><td class=\"number\">131.0 s</td>"));
+    EXPECT_TRUE(has(report_html(r, {}),
+                    "<th scope=\"row\">Shorter tail</th><td>6.1 mm</td><td>3 to 8 mm</td><td "
+                    "class=\"sign pass\">✓ pass</td><td class=\"number\">24.0 s</td>"));
+    r.items[2].passed = true;
+    EXPECT_FALSE(has(report_html(r, {}), "judged items outside"));
+}
+
+// The plot is 790 wide, from 150 on: an event at half of the session stands in its middle, a bar from one to the other
+// moment, and the largest value at its own moment.
+TEST(Report, ThingsStandAtTheirMoments) {
+    const std::string html = report_html(tied(), {});
+    EXPECT_TRUE(has(html, "d=\"M248.8 30.0l5 7")) << "a grasp at 3 of 24 s";
+    EXPECT_TRUE(has(html, "<title>12.30 s: slip, right</title>"));
+    EXPECT_TRUE(has(html, "d=\"M554.9 ")) << "at 12.3 of 24 s";
+    EXPECT_TRUE(has(html, "<title>9.00 to 18.00 s: 3_1</title>"));
+    EXPECT_TRUE(has(html, "<rect x=\"446.3\"") || has(html, "<rect x=\"446.2\"")) << "from 9 of 24 s";
+    EXPECT_TRUE(has(html, "<title>3.01 to 24.00 s: thread</title>"));
+    EXPECT_TRUE(has(html, "<text x=\"713.6\"")) << "1.87 N at 17 of 24 s, and 4 aside";
+}
