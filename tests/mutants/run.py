@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Puts small faults into a scratch copy of the tree, one at a time, and says which test notices each.
 
-faults.txt lists them. Only the programs that a fault names are built and run, never hashes_test: a pinned hash is
+faults.txt lists them. Only the program that a fault names is built and run, never hashes_test: a pinned hash is
 renewed with every change that is meant, and the fault with it. Exit 0: all were seen. 2: a row is wrong, or a test
 fails without any fault. 3: one was seen by no test.
 """
@@ -16,70 +16,66 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRATCH = ROOT / "build" / "mutants"
 TREE, BUILD = SCRATCH / "tree", SCRATCH / "build"
-SOURCES = {".cpp", ".hpp", ".in"}
+SOURCES = {".cpp", ".hpp"}
 MOST_SECONDS = 600  # of a test program; one that a fault keeps from ending has noticed it
+# A fault may leave something unused; a program of tests that needs carrel says so in its row.
+COPIED_OTHERWISE = {b"-Werror": b"-Wno-error", b"add_dependencies(${name} carrel)": b""}
+
+
+class BadRow(Exception):
+    """What is wrong with a row of faults.txt."""
 
 
 class Fault:
     KEYS = ("wrong", "in", "before", "after", "test")
 
     def __init__(self, number, row):
+        self.number = number
         if unknown := set(row) - set(self.KEYS):
-            raise SystemExit(f"faults.txt: fault {number}: unknown key '{unknown.pop()}'; keys are {', '.join(self.KEYS)}")
-        for key in self.KEYS:
-            if key not in row:
-                raise SystemExit(f"faults.txt: fault {number}: '{key}' is missing")
-        self.number, self.wrong, self.room = number, row["wrong"], row["in"]
+            raise self.bad(f"unknown key '{unknown.pop()}', expected {', '.join(self.KEYS)}")
+        if missing := set(self.KEYS) - set(row):
+            raise self.bad(f"'{missing.pop()}' is missing")
+        self.wrong, self.room = row["wrong"], row["in"]
         self.before, self.after = (row[key].replace("\\n", "\n") for key in ("before", "after"))
-        programs, _, self.filter = row["test"].partition(" ")
-        self.programs = programs.split("|")
+        programs, _, only = row["test"].partition(" ")
+        self.programs, self.only = programs.split("+"), only or "*"
 
-    @property
-    def program(self):
-        """The first of those it names that the build has."""
-        known = (BUILD / "build.ninja").read_text()
-        there = [name for name in self.programs if f"build tests/{name}: " in known]
-        if not there:
-            raise SystemExit(f"faults.txt: fault {self.number} ({self.wrong}): no test program {' or '.join(self.programs)}")
-        return there[0]
+    def bad(self, why):
+        return BadRow(f"faults.txt: fault {self.number}: {why}")
 
     def file(self):
         """The one source under its folder that holds the snippet, once: files may move within a room."""
-        found = [path for path in sorted((ROOT / self.room).rglob("*"))
-                 if path.suffix in SOURCES and self.before in path.read_text()]
-        times = sum(path.read_text().count(self.before) for path in found)
-        if times != 1:
-            raise SystemExit(f"faults.txt: fault {self.number} ({self.wrong}): found {times} times, not once, under "
-                             f"{self.room}/: {self.before}")
-        return found[0].relative_to(ROOT)
+        times = {path: path.read_text().count(self.before)
+                 for path in sorted((ROOT / self.room).rglob("*")) if path.suffix in SOURCES}
+        if sum(times.values()) != 1:
+            raise self.bad(f"found {sum(times.values())} times, not once, under {self.room}/: {self.before}")
+        return next(path for path in times if times[path]).relative_to(ROOT)
 
 
 def read_faults(path):
     """Blocks of 'key: value' lines with an empty line between two; '#' begins a comment."""
-    rows, row = [], {}
-    for line in path.read_text().splitlines() + [""]:
-        if line.startswith("#"):
-            continue
-        if not line.strip():
-            if row:
-                rows.append(row)
-            row = {}
-            continue
-        key, _, value = line.partition(": ")
-        row[key] = value
-    return [Fault(i + 1, row) for i, row in enumerate(rows)]
+    text = re.sub(r"^#.*\n", "", path.read_text(), flags=re.MULTILINE)
+    blocks = [block for block in re.split(r"\n\s*\n", text.strip()) if block]
+    return [Fault(number, dict(line.partition(": ")[::2] for line in block.split("\n")))
+            for number, block in enumerate(blocks, 1)]
+
+
+def tracked_files():
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True)
+    if listed.returncode == 0:
+        return {name for name in listed.stdout.split("\n") if name and (ROOT / name).is_file()}
+    names = {path.relative_to(ROOT) for path in ROOT.rglob("*") if path.is_file()}
+    return {str(name) for name in names if name.parts[0] not in ("build", "out", ".git")}
 
 
 def copy_tree():
     """Brings the scratch copy up to date; what is the same keeps its time, so that nothing is built anew for it."""
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True)
-    names = listed.stdout.split("\n") if listed.returncode == 0 else [
-        str(path.relative_to(ROOT)) for path in ROOT.rglob("*") if path.relative_to(ROOT).parts[0] not in ("build", "out", ".git")]
-    wanted = {name for name in names if name and (ROOT / name).is_file()}
+    wanted = tracked_files()
     for name in wanted:
         data = (ROOT / name).read_bytes()
         if name.endswith(("CMakeLists.txt", ".cmake")):
-            data = data.replace(b"-Werror", b"-Wno-error")  # a fault may leave something unused
+            for ours, otherwise in COPIED_OTHERWISE.items():
+                data = data.replace(ours, otherwise)
         path = TREE / name
         if not path.exists() or path.read_bytes() != data:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -100,8 +96,9 @@ def environment():
 
 
 def configure():
-    subprocess.run(["cmake", "-S", TREE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=OFF"],
-                   check=True, env=environment(), stdout=subprocess.DEVNULL)
+    options = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=OFF"]
+    subprocess.run(["cmake", "-S", TREE, "-B", BUILD, *options], check=True, env=environment(),
+                   stdout=subprocess.DEVNULL)
 
 
 def build(programs):
@@ -111,10 +108,11 @@ def build(programs):
 
 
 def first_failure(program, only):
-    """The first test of a program that fails, or None."""
+    """The first of these tests of a program that fails, or None."""
     try:
-        done = subprocess.run([BUILD / "tests" / program, f"--gtest_filter={only}", "--gtest_fail_fast"], cwd=BUILD / "tests",
-                              capture_output=True, text=True, errors="replace", timeout=MOST_SECONDS)
+        done = subprocess.run([BUILD / "tests" / program, f"--gtest_filter={only}", "--gtest_fail_fast"],
+                              cwd=BUILD / "tests", capture_output=True, text=True, errors="replace",
+                              timeout=MOST_SECONDS)
     except subprocess.TimeoutExpired:
         return f"{program} does not end"
     if done.returncode == 0:
@@ -122,60 +120,72 @@ def first_failure(program, only):
     if failed := re.search(r"\[  FAILED  \] (\S+?),? ", done.stdout):
         return failed[1]
     began = re.findall(r"\[ RUN      \] (\S+)", done.stdout)
-    return f"{began[-1] if began else program} (stops: {done.stderr.strip().splitlines()[-1:] or done.returncode})"
+    return f"{began[-1] if began else program} (stops: {(done.stderr.strip().splitlines() or [done.returncode])[-1]})"
 
 
-def seen_by(fault):
-    """What notices it; None: nothing in its program does."""
-    path = TREE / fault.file()
+def noticed_by(fault, file):
+    """The test that notices a fault in a file; None: none of those that it names does."""
+    path = TREE / file
     sound = path.read_text()
     path.write_text(sound.replace(fault.before, fault.after))
     try:
-        if problem := build([fault.program]):
-            raise SystemExit(f"faults.txt: fault {fault.number} ({fault.wrong}) does not compile:\n{problem}")
-        noticed = first_failure(fault.program, fault.filter) if fault.filter else None
-        return noticed or first_failure(fault.program, "*")
+        if problem := build(fault.programs):
+            raise fault.bad(f"does not compile:\n{problem}")
+        return first_failure(fault.programs[-1], fault.only)
     finally:
         path.write_text(sound)
+
+
+def try_all(faults):
+    """Rows of the table. What notices a fault is None where nothing does, and empty where it does not compile."""
+    for fault in faults:
+        file = fault.file()
+        try:
+            noticed = noticed_by(fault, file)
+        except BadRow as bad:
+            print(bad, file=sys.stderr)
+            noticed = ""
+        print(f"{fault.number}: {noticed or 'unseen'}", file=sys.stderr, flush=True)
+        yield fault, file, noticed
+
+
+def print_table(table):
+    print("| | fault | room | noticed by |\n|---|---|---|---|")
+    for fault, file, noticed in table:
+        print(f"| {fault.number} | {fault.wrong} | {file.parent} | {noticed or '**nothing**'} |")
+    seen = sum(bool(noticed) for _, _, noticed in table)
+    print(f"\n{len(table)} faults in {len({file.parent for _, file, _ in table})} rooms, {seen} noticed", flush=True)
 
 
 def main():
     parse = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parse.add_argument("--list", action="store_true", help="say which there are, and build nothing")
-    parse.add_argument("--room", help="only those under this folder")
+    parse.add_argument("--room", default="", help="only those under this folder")
     parse.add_argument("--only", type=int, nargs="+", metavar="N", help="only these numbers")
     options = parse.parse_args()
-    sys.stdout.reconfigure(line_buffering=True)
-    faults = read_faults(pathlib.Path(__file__).with_name("faults.txt"))
-    faults = [f for f in faults if (not options.room or f.room.startswith(options.room)) and
-              (not options.only or f.number in options.only)]
-    files = {f.number: f.file() for f in faults}
+    faults = [f for f in read_faults(pathlib.Path(__file__).with_name("faults.txt"))
+              if f.room.startswith(options.room) and (not options.only or f.number in options.only)]
+    files = [f.file() for f in faults]
     if options.list:
-        for f in faults:
-            print(f"{f.number:3} {files[f.number]}: {f.wrong}")
+        for fault, file in zip(faults, files):
+            print(f"{fault.number:3} {file}: {fault.wrong}")
         return 0
     copy_tree()
     configure()
-    if problem := build({f.program for f in faults}):
-        raise SystemExit("the tree does not build:\n" + problem)
-    for program, only in sorted({(f.program, f.filter) for f in faults if f.filter}):
+    if problem := build({name for f in faults for name in f.programs}):
+        raise BadRow("the tree does not build:\n" + problem)
+    for program, only in sorted({(f.programs[-1], f.only) for f in faults}):
         if failed := first_failure(program, only):
-            print(f"without any fault: {failed}")
-            return 2
-    unseen = 0
-    for f in faults:
-        noticed = seen_by(f)
-        unseen += noticed is None
-        print(f"{f.number:3} {'seen' if noticed else 'UNSEEN':6} {files[f.number]}: {f.wrong}" + (f"  [{noticed}]" if noticed else ""))
-    print(f"{len(faults)} faults, {len(faults) - unseen} seen, {unseen} unseen")
-    return 3 if unseen else 0
+            raise BadRow(f"without any fault: {failed}")
+    table = list(try_all(faults))
+    print_table(table)
+    results = [noticed for _, _, noticed in table]
+    return 2 if "" in results else 3 if None in results else 0
 
 
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except SystemExit as stop:
-        if isinstance(stop.code, str):
-            print(stop.code, file=sys.stderr)
-            sys.exit(2)
-        raise
+    except BadRow as bad:
+        print(bad, file=sys.stderr)
+        sys.exit(2)
