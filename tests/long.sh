@@ -17,7 +17,12 @@ step() {
 
 # Every file compiled by itself, without precompiled headers.
 each_file_alone() { cmake --preset debug && cmake --build build/debug -j"$jobs"; }
-whole_drills() { for drill in scenarios/drills/*.json; do build/carrel run "$drill" || return 1; done; }
+whole_drills() {
+    for drill in scenarios/drills/*.json; do
+        echo "$drill"
+        build/carrel run "$drill" --json | grep -q '"passed": *true' || return 1
+    done
+}
 kills() { build/tests/app_commands_test --gtest_filter='Killed*' --gtest_repeat=10 --gtest_fail_fast; }
 old_processor() {
     tools/packages.sh qemu-user && qemu-x86_64 -cpu max build/carrel --version || return 1
