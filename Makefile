@@ -25,15 +25,18 @@ demo: packages
 	@echo "Recording: $(CURDIR)/out/demo/$(DRILL).carrel"
 	@ls out/demo/*.png 2> /dev/null | sed 's|^|Picture:   $(CURDIR)/|'
 
-# Everything as it ships.
+# Everything as it ships, but for what takes minutes alone.
 test: packages
 	@cmake --preset release > /dev/null
 	@cmake --build build -j$(JOBS)
-	ctest --test-dir build -j$(JOBS) --output-on-failure
+	ctest --test-dir build -j$(JOBS) --output-on-failure -LE check
 
-# The same with the address and undefined sanitizers, the simulation's own flags unchanged, what would take hours there
-# left out; then the rules of the house, and the second compiler with the tests of sim.
+# The rest of it; all tests with the address and undefined sanitizers, the simulation's own flags unchanged, what would
+# take hours there left out; then the rules of the house, and the second compiler with the tests of sim.
 check: packages
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS)
+	ctest --test-dir build -j$(JOBS) --output-on-failure -L check
 	@cmake --preset sanitize > /dev/null
 	@cmake --build build/sanitize -j$(JOBS)
 	ctest --test-dir build/sanitize -j$(JOBS) --output-on-failure
