@@ -3,10 +3,10 @@ JOBS := $(shell nproc)
 DRILL := interrupted-stitch
 
 PREFIX := /usr/local
-# What clang-tidy looks at in `make check`: sources that differ from this commit. A branch: make check SINCE=origin/main
+# `make tidy` looks at sources that differ from this commit; a branch: make tidy SINCE=origin/main
 SINCE := HEAD~
 
-.PHONY: demo test check lint clang long build bench install package format hashes mutants clean packages
+.PHONY: demo test check lint tidy clang long build bench install package format hashes mutants clean packages
 .DEFAULT_GOAL := build
 
 build: packages
@@ -32,7 +32,7 @@ test: packages
 	ctest --test-dir build -j$(JOBS) --output-on-failure -LE check
 
 # The rest of it; all tests with the address and undefined sanitizers, the simulation's own flags unchanged, what would
-# take hours there left out; then the rules of the house, and the second compiler with the tests of sim.
+# take hours there left out; then the rules of the house.
 check: packages
 	@cmake --preset release > /dev/null
 	@cmake --build build -j$(JOBS)
@@ -40,18 +40,22 @@ check: packages
 	@cmake --preset sanitize > /dev/null
 	@cmake --build build/sanitize -j$(JOBS)
 	ctest --test-dir build/sanitize -j$(JOBS) --output-on-failure
-	@$(MAKE) --no-print-directory lint clang
+	@$(MAKE) --no-print-directory lint
 
-# What the house asks of every line: format, names, lengths, pages; clang-tidy where something has changed. The quick
-# commands that pages show are run.
+# What the house asks of every line: format, names, lengths, pages. The quick commands that pages show are run.
 lint: packages
-	@tools/packages.sh clang-format clang-tidy
+	@tools/packages.sh clang-format
 	@cmake --preset release > /dev/null
 	@cmake --build build -j$(JOBS) --target carrel
 	tools/lint
-	tools/lint --tidy --since $(SINCE)
 	tools/lint --commands
 
+# clang-tidy on what differs from a commit.
+tidy: packages
+	@tools/packages.sh clang-tidy
+	tools/lint --tidy --since $(SINCE)
+
+# The second compiler, with the tests of sim.
 clang: packages
 	@tools/packages.sh clang
 	@cmake --preset clang > /dev/null
