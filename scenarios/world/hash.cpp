@@ -2,8 +2,6 @@
 // copies.
 #include "tissue/hash.hpp"
 
-#include <bit>
-
 #include "instruments/hash.hpp"
 #include "scenarios/world/world.hpp"
 
@@ -13,8 +11,8 @@ using sim::geometry::Hash;
 
 // Its words and their order are those of earlier recordings, so they stay.
 std::uint64_t World::hash() const {
-    std::uint64_t hash = thread_.hash();
-    const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; };
+    Hash hash(thread_.hash());
+    const auto add = [&](double value) { hash.add(value); };
     for (const Tool& tool : tools_) {
         for (const ToolInput* input : {&tool.now, &tool.asked}) {
             for (int c = 0; c < 3; ++c) add(input->pose.position[c]);
@@ -55,7 +53,7 @@ std::uint64_t World::hash() const {
         for (const sim::thread::Strength& strength : vessel.strengths)
             if (strength.pulled_s > 0) add(strength.pulled_s);
     }
-    return hash;
+    return hash.value();
 }
 
 static void add_to(Hash& hash, const sim::thread::Strength& strength) {

@@ -13,6 +13,9 @@ namespace sim::geometry {
 /// class is hashed by a function `void add_to(Hash&, const Class&)` beside it.
 class Hash {
   public:
+    /// Goes on from `start`: FNV's own, or the value of what was hashed before.
+    explicit Hash(std::uint64_t start = 0xcbf29ce484222325u) : value_(start) {}
+
     std::uint64_t value() const { return value_; }  ///< Of all that was added so far.
 
     /// Adds numbers, vectors, matrices, optionals, ranges (their length first, so that nothing moves unseen from one to
@@ -44,7 +47,7 @@ class Hash {
         }
     }
 
-    std::uint64_t value_ = 0xcbf29ce484222325u;
+    std::uint64_t value_;
 };
 
 /// Adds its corners.

@@ -1,6 +1,6 @@
 #include "sim/thread/hash.hpp"
 
-#include <bit>
+#include "sim/geometry/hash.hpp"
 
 namespace sim::thread {
 
@@ -9,12 +9,12 @@ using contact::Row;
 
 namespace {
 
-// FNV-1a, a word at a time.
+// Lists without their length, as earlier recordings have them.
 class Hash {
   public:
-    std::uint64_t value() const { return value_; }
+    std::uint64_t value() const { return words_.value(); }
 
-    void add(double number) { value_ = (value_ ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3u; }
+    void add(double number) { words_.add(number); }
     void add(const Vec3& v) {
         for (int c = 0; c < 3; ++c) add(v[c]);
     }
@@ -62,7 +62,7 @@ class Hash {
     }
 
   private:
-    std::uint64_t value_ = 0xcbf29ce484222325u;
+    geometry::Hash words_;
 };
 
 // What Follow-The-Leader remembers of its last substep. An elastic thread remembers nothing of the kind: for it
