@@ -1,0 +1,90 @@
+#pragma once
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/hands/mouse.hpp"
+#include "app/hands/rate_keys.hpp"
+#include "scenarios/world/world.hpp"
+
+namespace app::hands {
+
+using scenarios::world::World;
+
+/// What a person should see of her hands; plain values.
+struct HandsView {
+    int mouse = -1;             ///< The instrument that the mouse leads; none: -1.
+    int keys = -1;              ///< The instrument that the keys lead; none: -1.
+    bool is_free = false;       ///< The pointer is free: the mouse leads nothing.
+    bool is_fine = false;       ///< Moves and turns are a quarter.
+    double scale = 1;           ///< Of moves.
+    Assists assists;            ///< That are on.
+    bool pulls = false;         ///< "Pull both" is at work.
+    bool turns_needle = false;  ///< The wheel turns the needle.
+    double pace = 1;            ///< That hands would have, at most: less by "slow motion".
+    std::vector<double> jaw;    ///< For each instrument, how far it is asked to be open, 0 to 1.
+    std::vector<bool> closing;  ///< For each instrument, whether it is asked to shut.
+    std::vector<double> gap;    ///< For each, from its open jaws to what they would take [m]; -1: beyond 5 mm.
+    std::optional<Vec3> lit;    ///< What the mouse hand's jaws would take [m].
+    double stamp_s = 0;         ///< The newest event that has been used.
+};
+
+/// An instrument as its hand leads it.
+struct Led {
+    ToolInput at;          ///< Where it is asked to be.
+    double jaw_goal = 1;   ///< Where its jaws are going, 0 to 1.
+    double opening = 0.7;  ///< How far they open next, 0 to 1.
+};
+
+/// From what devices do to what instruments are asked for, once a tick. Hands belong to the tick thread but for view().
+class Hands {
+  public:
+    /// Says a mark for the recording: a kind and a text. Called on the tick thread.
+    using Mark = std::function<void(const std::string& kind, const std::string& text)>;
+
+    /// `start`: where the instruments are asked to be before the first tick, one for each of `instruments`; at least
+    /// one. The mouse hand has the instrument named "right" (left-handed: "left"), or else the last, the key hand the
+    /// first other one.
+    Hands(const Settings& settings, std::span<const scenarios::world::InstrumentDef> instruments,
+          std::span<const ToolInput> start, Mark mark = {});
+
+    /// Fills one input for each instrument. With no event it changes no bit of them, but for what is under way.
+    void tick(const World& world, const Taken& taken, std::span<ToolInput> inputs);
+    /// As the last tick left them; for any thread.
+    HandsView view() const;
+    /// Stamp of the newest event that has been used [s]; of the tick thread.
+    double stamp_s() const { return stamp_s_; }
+
+  private:
+    void take(const Event& event);
+    void take(const Motion& motion);
+    void take(const Wheel& wheel);
+    void take(const Click& click);
+    void take(const Press& press);
+    void take(const Switch& change);
+    void take(const LetGo&);
+    void choose(int instrument);
+    void step_scale(int by);
+    void press_jaw(int instrument, bool down);
+    void hold(bool& held, bool down) const;
+    void move(double seconds, const Sight& sight);
+    void move_jaws(double seconds);
+    void publish(const World& world);
+    double share() const { return fine_ ? 0.25 : 1; }
+    Led& led(int instrument) { return led_[static_cast<std::size_t>(instrument)]; }
+
+    Settings settings_;
+    Mark mark_;
+    std::vector<Led> led_;
+    int m_ = -1, k_ = -1;  // instruments of the mouse hand and of the key hand
+    Mouse mouse_;
+    RateKeys keys_;
+    bool free_ = false, fine_ = false, k_turns_ = false, m_turns_ = false, pulls_ = false, turns_needle_ = false;
+    double stamp_s_ = 0;
+    mutable std::mutex mutex_;
+    HandsView view_;
+};
+
+}  // namespace app::hands
