@@ -45,6 +45,15 @@ struct TickHash {
     std::uint64_t hash;  ///< World::hash() then.
 };
 
+/// Something beside the ticks that explains a session: a pause, an assist switched on, a note.
+struct Mark {
+    std::uint64_t tick = 0;  ///< After so many ticks.
+    std::string kind;        ///< "pause", "resume", "pace", "assist", "note" ...
+    std::string text;        ///< What of it: "snap on", "0.25" ...
+
+    bool operator==(const Mark&) const = default;
+};
+
 /// Seconds of a clock that never goes back. Decides only when a recorder writes, never what.
 using Clock = double (*)();
 

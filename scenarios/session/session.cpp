@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scenarios/drill/score.hpp"
+#include "scenarios/session/view.hpp"
 #include "scenarios/world/judge.hpp"
 #include "scenarios/world/locate.hpp"
 #include "sim/geometry/portable_math.hpp"
@@ -130,19 +131,6 @@ std::optional<Snapshot> Session::close_snapshot() {
     return bites_snapshot("the bites at the end");
 }
 
-static std::string held_by(const scenarios::world::World& world, int number) {
-    const auto& tool = world.tools()[static_cast<std::size_t>(number)];
-    const auto needles = world.needles();
-    const bool has_needle = std::any_of(needles.begin(), needles.end(), [&](const auto& needle) {
-        return needle.holder.tool == number || needle.next.tool == number;
-    });
-    std::string held;
-    for (const auto& [is_held, what] : {std::pair(!tool.grasps.empty(), "thread"), std::pair(has_needle, "needle"),
-                                        std::pair(!tool.walls.empty(), "wall")})
-        if (is_held) held += (held.empty() ? "" : " and ") + std::string(what);
-    return held;
-}
-
 void Session::sample() {
     scenarios::drill::Sample sample{world_.time_s(), world_.tension_now(), {}, {}, {}, world_.measures().knot.called()};
     const double since_last = samples_.empty() ? sample.t_s : sample.t_s - samples_.back().t_s;
@@ -151,7 +139,7 @@ void Session::sample() {
         const auto& asked = tool.asked.pose.position;
         sample.tool_speed_mm_s.push_back(1e3 * (asked - last_inputs_[i].pose.position).norm() / since_last);
         sample.tool_lag_mm.push_back(1e3 * tool.lag());
-        sample.held.push_back(held_by(world_, static_cast<int>(i)));
+        sample.held.push_back(held_by(world_, i));
         last_inputs_[i] = tool.asked;
     }
     samples_.push_back(std::move(sample));
