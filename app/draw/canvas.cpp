@@ -1,113 +1,110 @@
+#include "app/draw/canvas.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "app/draw/camera.hpp"
 #include "app/draw/gl.hpp"
+#include "app/draw/light_shaders.hpp"
+#include "app/draw/scene.hpp"
 #include "app/draw/shaders.hpp"
-#include "app/draw/surface.hpp"
 
 namespace app::draw {
 
-constexpr int shadow_size = 2048;  // as in the shader
+namespace {
 
-struct Canvas::Gpu {
-    Context context;
-    Gl& gl = context.gl;
-    Program solid{gl, shaders::solid_vertex, shaders::solid_fragment};
-    Program shadow_caster{gl, shaders::solid_vertex, shaders::nothing_fragment};
-    Program background{gl, shaders::screen_vertex, shaders::background_fragment};
-    Program final{gl, shaders::screen_vertex, shaders::final_fragment};
-    Target shadow{gl, shadow_size, shadow_size, false};
-    std::unique_ptr<Target> fine, result;  // twice the picture's width and height; the picture
-    unsigned array = 0, buffers[2] = {};
+/// A scene that stays as it is, and where it is.
+struct Fixed {
+    Fixed(Gl& gl, const Scene& scene) : buffers(gl), parts(scene.parts) { buffers.fill(scene.surface, GL_STATIC_DRAW); }
+    Buffers buffers;
+    std::vector<Part> parts;
+};
 
-    Gpu() {
-        gl.GenVertexArrays(1, &array);
-        gl.BindVertexArray(array);
-        gl.GenBuffers(2, buffers);
-        gl.BindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-        gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-        for (unsigned i = 0; i < 2; ++i) {
-            gl.EnableVertexAttribArray(i);
-            gl.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                                   reinterpret_cast<const void*>(i * sizeof(Eigen::Vector3f)));
-        }
-        gl.BindTexture(GL_TEXTURE_2D, shadow.depth);
+/// Depth as the key light sees it.
+struct Shadow : Target {
+    Shadow(Gl& gl, int size) : Target(gl, size, size, false) {
+        gl.BindTexture(GL_TEXTURE_2D, depth);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-        gl.DepthFunc(GL_LEQUAL);
-    }
-    ~Gpu() {
-        context.make_current();
-        gl.DeleteBuffers(2, buffers);
-        gl.DeleteVertexArrays(1, &array);
-    }
-    void resize(int width, int height) {
-        if (result && result->width == width && result->height == height) return;
-        fine = std::make_unique<Target>(gl, 2 * width, 2 * height, true);
-        result = std::make_unique<Target>(gl, width, height, true);
     }
 };
 
-Canvas::Canvas() : gpu_(std::make_unique<Gpu>()) {}
-Canvas::~Canvas() = default;
+/// What a look is drawn with.
+struct Material {
+    Vec3 base;  ///< Share of red, green and blue light sent back.
+    float gloss, sharpness, metal, mottle;
+};
+const Material materials[] = {{{0.60, 0.085, 0.075}, 0.40f, 45, 0, 1},  // flesh
+                              {{0.02, 0.07, 0.52}, 0.55f, 50, 0, 0},    // suture
+                              {{0.80, 0.82, 0.84}, 0.50f, 90, 1, 0}};   // steel
+const Material& material_of(Look look) {
+    return materials[static_cast<std::size_t>(look)];
+}
+
+std::string light(const char* fragment) {
+    return std::string(light_shaders::lamps) + fragment;
+}
+
+constexpr int fine_shadow = 2048, coarse_shadow = 1024;  // the former as in the shader
+
+}  // namespace
+
+struct Canvas::Gpu {
+    Context& context;
+    Gl& gl = context.gl();
+    Program solid{gl, shaders::solid_vertex, shaders::solid_fragment};
+    Program shadow_caster{gl, shaders::solid_vertex, shaders::nothing_fragment};
+    Program ghost{gl, shaders::solid_vertex, shaders::ghost_fragment};
+    Program background{gl, shaders::screen_vertex, shaders::background_fragment};
+    Program final{gl, shaders::screen_vertex, shaders::final_fragment};
+    Program light_matt{gl, light_shaders::vertex, light(light_shaders::matt_fragment)};
+    Program light_steel{gl, light_shaders::vertex, light(light_shaders::steel_fragment)};
+    Buffers moving{gl};
+    std::unique_ptr<Shadow> shadows[2];    // of each level
+    std::unique_ptr<Fixed> tools[2][4];    // of each level and kind
+    std::unique_ptr<Target> fine, result;  // twice the picture's width and height; the picture
+
+    explicit Gpu(Context& drawn_with) : context(drawn_with) {}
+
+    const Shadow& shadow(Level level) {
+        auto& shadow = shadows[static_cast<std::size_t>(level)];
+        if (!shadow) shadow = std::make_unique<Shadow>(gl, level == Level::full ? fine_shadow : coarse_shadow);
+        return *shadow;
+    }
+    const Fixed& tool(instruments::Kind kind, Level level) {
+        auto& tool = tools[static_cast<std::size_t>(level)][static_cast<std::size_t>(kind)];
+        if (!tool) tool = std::make_unique<Fixed>(gl, tool_scene(kind, level));
+        return *tool;
+    }
+};
+
+Canvas::Canvas() : own_(memory_context()), gpu_(std::make_unique<Gpu>(*own_)) {}
+Canvas::Canvas(Context& context) {
+    context.make_current();
+    gpu_ = std::make_unique<Gpu>(context);
+}
+Canvas::~Canvas() {
+    gpu_->context.make_current();
+}
 
 namespace {
 
 using Gpu = Canvas::Gpu;
 
-struct Material {
-    Vec3 base;  ///< Share of red, green and blue light sent back.
-    float gloss, sharpness, metal, mottle;
-};
-const Material suture{{0.02, 0.07, 0.52}, 0.55f, 50, 0, 0};
-const Material flesh{{0.60, 0.085, 0.075}, 0.40f, 45, 0, 1};
-const Material steel{{0.80, 0.82, 0.84}, 0.50f, 90, 1, 0};
-
-/// Triangles of one material, where they lie in the buffers.
-struct Part {
-    Material material;
-    std::size_t first, count;
-};
-
-struct Scene {
-    Surface surface;
-    std::vector<Part> parts;
-
-    void add(const assets::Mesh& mesh, const Material& material) {
-        const Surface more = shaded(mesh);
-        const auto offset = static_cast<unsigned>(surface.vertices.size());
-        parts.push_back({material, surface.indices.size(), more.indices.size()});
-        surface.vertices.insert(surface.vertices.end(), more.vertices.begin(), more.vertices.end());
-        for (const unsigned index : more.indices) surface.indices.push_back(offset + index);
-    }
-};
-
-Scene scene_of(const Picture& picture) {
-    const double pixel = 2 * half_height(picture.camera) / picture.height;  // at one metre
-    const auto radius_at = [&](const Vec3& p) {
-        return std::max(picture.thread_radius, 1.6 * pixel * project(picture, p).z());
-    };
-    Scene scene;
-    for (const assets::Mesh& vessel : picture.vessels) scene.add(vessel, flesh);
-    for (const ToolPicture& one : picture.tools)
-        for (const assets::Mesh& part : tool(one)) scene.add(part, steel);
-    for (const std::vector<Vec3>& piece : picture.thread) scene.add(tube(piece, radius_at), suture);
-    for (const std::vector<Vec3>& wire : picture.wires)
-        scene.add(tube(wire, [&](const Vec3&) { return picture.wire_radius; }), steel);
-    // A taper point: ten times as long as its wire is thick.
-    for (const std::vector<Vec3>& needle : picture.needles)
-        scene.add(tube(needle,
-                       [&](const Vec3& p) {
-                           return std::min(picture.needle_radius,
-                                           0.02 * picture.needle_radius + (p - needle.back()).norm() / 20);
-                       }),
-                  steel);
-    return scene;
+void resize(Gpu& gpu, std::unique_ptr<Target>& target, int width, int height) {
+    if (!target || target->width != width || target->height != height)
+        target = std::make_unique<Target>(gpu.gl, width, height, true);
 }
+
+/// The camera's view of a picture, and the lamps, which go with the camera: the key over its left shoulder, the fill
+/// low on the right, the rim behind.
+struct View {
+    Eigen::Matrix4d clip_from_world, shadow_from_world;
+    Vec3 eye, to_key, to_fill, to_rim, up;
+    double shadow_half;  ///< Half of what the shadow covers [m].
+};
 
 /// Square to the key light about what the camera looks at; deep enough for all that could cast a shadow there.
 Eigen::Matrix4d shadow_from_world(const Vec3& target, const Vec3& to_key, double half) {
@@ -120,77 +117,134 @@ Eigen::Matrix4d shadow_from_world(const Vec3& target, const Vec3& to_key, double
     return shadow;
 }
 
-void upload(Gpu& gpu, const Surface& surface) {
-    gpu.gl.BindVertexArray(gpu.array);
-    gpu.gl.BindBuffer(GL_ARRAY_BUFFER, gpu.buffers[0]);
-    gpu.gl.BufferData(GL_ARRAY_BUFFER, surface.vertices.size() * sizeof(Vertex), surface.vertices.data(),
-                      GL_STREAM_DRAW);
-    gpu.gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, surface.indices.size() * sizeof(unsigned), surface.indices.data(),
-                      GL_STREAM_DRAW);
-}
-
-void draw(Gpu& gpu, std::size_t first, std::size_t count) {
-    gpu.gl.DrawElements(GL_TRIANGLES, static_cast<int>(count), GL_UNSIGNED_INT,
-                        reinterpret_cast<const void*>(first * sizeof(unsigned)));
-}
-
-void draw_shadow(Gpu& gpu, const Scene& scene, const Eigen::Matrix4d& shadow) {
-    gpu.shadow.draw_here();
-    gpu.gl.Enable(GL_DEPTH_TEST);
-    gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
-    gpu.shadow_caster.use();
-    gpu.shadow_caster.set("clip_from_world", shadow);
-    draw(gpu, 0, scene.surface.indices.size());
-}
-
-void draw_solids(Gpu& gpu, const Scene& scene, const Picture& picture) {
+View view_of(const Picture& picture) {
     const Camera& camera = picture.camera;
     const Eigen::Matrix3d axes = axes_of(camera);
     const auto towards = [&](double right, double up, double back) -> Vec3 {
         return axes.transpose() * Vec3(right, up, back).normalized();
     };
-    // The lamps go with the camera: the key over its left shoulder, the fill low on the right, the rim behind.
-    const Vec3 key = towards(-0.45, 0.85, 0.65);
-    const double half = 1.8 * half_height(camera) * (camera.position - camera.target).norm();
-    const Eigen::Matrix4d shadow = shadow_from_world(camera.target, key, half);
-    draw_shadow(gpu, scene, shadow);
+    View view{clip_from_world(camera, static_cast<double>(picture.width) / picture.height),
+              {},
+              camera.position,
+              towards(-0.45, 0.85, 0.65),
+              towards(0.9, -0.1, 0.6),
+              towards(0.4, 0.5, -0.8),
+              towards(0, 1, 0),
+              1.8 * half_height(camera) * (camera.position - camera.target).norm()};
+    view.shadow_from_world = shadow_from_world(camera.target, view.to_key, view.shadow_half);
+    return view;
+}
 
-    gpu.fine->draw_here();
-    gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
-    gpu.background.use();
-    gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    const Program& solid = gpu.solid;
-    solid.use();
-    solid.set("clip_from_world", clip_from_world(camera, static_cast<double>(picture.width) / picture.height));
-    solid.set("shadow_from_world", shadow);
-    solid.set("texel", static_cast<float>(2 * half / shadow_size));
-    solid.texture("shadow", 0, gpu.shadow.depth);
-    solid.set("eye", camera.position);
-    solid.set("to_key", key);
-    solid.set("to_fill", towards(0.9, -0.1, 0.6));
-    solid.set("to_rim", towards(0.4, 0.5, -0.8));
-    solid.set("camera_up", towards(0, 1, 0));
-    for (const auto& [material, first, count] : scene.parts) {
-        solid.set("base", material.base);
-        solid.set("gloss", material.gloss);
-        solid.set("sharpness", material.sharpness);
-        solid.set("metal", material.metal);
-        solid.set("mottle", material.mottle);
-        draw(gpu, first, count);
+void draw_tool(Gpu& gpu, const ToolPicture& picture, Level level, const Program& program) {
+    const Fixed& tool = gpu.tool(picture.kind, level);
+    for (const auto& [part, pose] : placed_parts(picture)) {
+        program.set("model", pose.matrix());
+        const Part& piece = tool.parts[static_cast<std::size_t>(part)];
+        tool.buffers.draw(piece.first, piece.count);
     }
 }
 
-void draw_result(Gpu& gpu, const Picture& picture) {
+void draw_shadow(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    gpu.shadow(level).draw_here();
+    gpu.gl.Enable(GL_DEPTH_TEST);
+    gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
+    gpu.shadow_caster.use();
+    gpu.shadow_caster.set("clip_from_world", view.shadow_from_world);
+    gpu.shadow_caster.set("model", Eigen::Matrix4d::Identity().eval());
+    gpu.moving.draw(0, scene.surface.indices.size());
+    for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, gpu.shadow_caster);
+}
+
+/// Makes a program of solids ready for its parts.
+void use(Gpu& gpu, const Program& program, const View& view, Level level) {
+    const Shadow& shadow = gpu.shadow(level);
+    program.use();
+    program.set("clip_from_world", view.clip_from_world);
+    program.set("shadow_from_world", view.shadow_from_world);
+    program.set("texel", static_cast<float>(2 * view.shadow_half / shadow.width));
+    program.texture("shadow", 0, shadow.depth);
+    program.set("eye", view.eye);
+    program.set("to_key", view.to_key);
+    program.set("to_fill", view.to_fill);
+    program.set("to_rim", view.to_rim);
+    program.set("camera_up", view.up);
+    program.set("model", Eigen::Matrix4d::Identity().eval());
+}
+
+void set_material(const Program& program, Look look) {
+    const Material& material = material_of(look);
+    program.set("base", material.base);
+    program.set("gloss", material.gloss);
+    program.set("sharpness", material.sharpness);
+    program.set("metal", material.metal);
+    program.set("mottle", material.mottle);
+    program.set("wrap", 0.25f * material.mottle);
+}
+
+void draw_background(Gpu& gpu) {
+    gpu.gl.DepthFunc(GL_LEQUAL);
+    gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
+    gpu.background.use();
+    gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void draw_solids(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    const auto program_of = [&](Look look) -> const Program& {
+        if (level == Level::full) return gpu.solid;
+        return look == Look::steel ? gpu.light_steel : gpu.light_matt;
+    };
+    for (const Look look : {Look::flesh, Look::suture, Look::steel}) {
+        const Program& program = program_of(look);
+        use(gpu, program, view, level);
+        set_material(program, look);
+        for (const Part& part : scene.parts)
+            if (part.look == look) gpu.moving.draw(part.first, part.count);
+    }
+    for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, program_of(Look::steel));
+}
+
+// Seen from outside only, so that each is blended once, and behind what is solid.
+void draw_ghosts(Gpu& gpu, const Picture& picture, const View& view, Level level) {
+    if (picture.ghosts.empty()) return;
+    gpu.ghost.use();
+    gpu.ghost.set("clip_from_world", view.clip_from_world);
+    gpu.ghost.set("eye", view.eye);
+    gpu.gl.Enable(GL_BLEND);
+    gpu.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gpu.gl.Enable(GL_CULL_FACE);
+    gpu.gl.CullFace(GL_BACK);
+    gpu.gl.DepthMask(GL_FALSE);
+    for (const ToolPicture& tool : picture.ghosts) draw_tool(gpu, tool, level, gpu.ghost);
+    gpu.gl.DepthMask(GL_TRUE);
+    gpu.gl.Disable(GL_CULL_FACE);
+    gpu.gl.Disable(GL_BLEND);
+}
+
+void go_to(Gpu& gpu, const Viewport& viewport, const Picture& picture) {
+    gpu.gl.BindFramebuffer(GL_FRAMEBUFFER, viewport.framebuffer);
+    gpu.gl.Viewport(viewport.x, viewport.y, picture.width, picture.height);
+}
+
+// Mean of the fine pixels, corners darkened.
+void draw_result(Gpu& gpu, const Picture& picture, const Viewport& viewport) {
     const Camera& camera = picture.camera;
     const double tall = half_height(camera), distance = (camera.position - camera.target).norm();
-    gpu.result->draw_here();
+    go_to(gpu, viewport, picture);
     gpu.gl.Disable(GL_DEPTH_TEST);
     gpu.final.use();
-    gpu.final.texture("fine", 0, gpu.fine->color);
     gpu.final.texture("fine_depth", 1, gpu.fine->depth);
+    gpu.final.texture("fine", 0, gpu.fine->color);
     gpu.final.set("lens", Vec3(tall * picture.width / picture.height, tall, 0));
     gpu.final.set("planes", Vec3(near_plane(camera), far_plane(camera), 0.05 * tall * distance));
+    gpu.final.set("corner", viewport.x, viewport.y);
     gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void paint(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    gpu.gl.Enable(GL_DEPTH_TEST);
+    draw_background(gpu);
+    draw_solids(gpu, scene, picture, view, level);
+    draw_ghosts(gpu, picture, view, level);
 }
 
 void check(const Picture& picture) {
@@ -210,6 +264,7 @@ Image read(Gpu& gpu) {
     const int width = gpu.result->width, height = gpu.result->height;
     Image image{width, height, std::vector<unsigned char>(3u * width * height)};
     std::vector<unsigned char> upward(image.pixels.size());
+    gpu.gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gpu.gl.ReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, upward.data());
     for (int y = 0; y < height; ++y)
         std::copy_n(upward.begin() + 3l * width * (height - 1 - y), 3l * width, image.pixels.begin() + 3l * width * y);
@@ -219,15 +274,38 @@ Image read(Gpu& gpu) {
 
 }  // namespace
 
-Image render(Canvas& canvas, const Picture& picture) {
+void draw(Canvas& canvas, const Picture& picture, Level level, const Viewport& viewport) {
+    check(picture);
+    Gpu& gpu = canvas.gpu();
+    Gl& gl = gpu.gl;
+    gpu.context.make_current();
+    for (const unsigned off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(off);
+    const Scene scene = scene_of(picture, level);
+    const View view = view_of(picture);
+    gpu.moving.fill(scene.surface, GL_STREAM_DRAW);
+    draw_shadow(gpu, scene, picture, view, level);
+    if (level == Level::full) {
+        resize(gpu, gpu.fine, 2 * picture.width, 2 * picture.height);
+        gpu.fine->draw_here();
+        paint(gpu, scene, picture, view, level);
+        draw_result(gpu, picture, viewport);
+    } else {
+        go_to(gpu, viewport, picture);
+        gl.Enable(GL_SCISSOR_TEST);  // or the depth beside it would be cleared too
+        gl.Scissor(viewport.x, viewport.y, picture.width, picture.height);
+        paint(gpu, scene, picture, view, level);
+        gl.Disable(GL_SCISSOR_TEST);
+    }
+    gl.Disable(GL_DEPTH_TEST);
+    gl.BindVertexArray(0);
+}
+
+Image render(Canvas& canvas, const Picture& picture, Level level) {
     check(picture);
     Gpu& gpu = canvas.gpu();
     gpu.context.make_current();
-    gpu.resize(picture.width, picture.height);
-    const Scene scene = scene_of(picture);
-    upload(gpu, scene.surface);
-    draw_solids(gpu, scene, picture);
-    draw_result(gpu, picture);
+    resize(gpu, gpu.result, picture.width, picture.height);
+    draw(canvas, picture, level, {.framebuffer = gpu.result->frame()});
     return read(gpu);
 }
 

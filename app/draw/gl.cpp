@@ -1,39 +1,18 @@
 #include "app/draw/gl.hpp"
 
-#include <GL/osmesa.h>
+#include "app/draw/context.hpp"
 
 namespace app::draw {
 
-Context::Context() {
-    const int wanted[] = {OSMESA_FORMAT,
-                          OSMESA_RGBA,
-                          OSMESA_DEPTH_BITS,
-                          0,
-                          OSMESA_PROFILE,
-                          OSMESA_CORE_PROFILE,
-                          OSMESA_CONTEXT_MAJOR_VERSION,
-                          3,
-                          OSMESA_CONTEXT_MINOR_VERSION,
-                          3,
-                          0};
-    context_ = OSMesaCreateContextAttribs(wanted, nullptr);
-    if (!context_) throw DrawError("cannot draw: OSMesa gives no OpenGL 3.3 core context");
-    make_current();
-#define CARREL_GL_LOAD(TYPE, name)                                                   \
-    gl.name = reinterpret_cast<PFNGL##TYPE##PROC>(OSMesaGetProcAddress("gl" #name)); \
-    if (!gl.name) throw DrawError("cannot draw: OSMesa has no gl" #name);
+Context::Context(Loader load) : gl_(std::make_unique<Gl>()) {
+#define CARREL_GL_LOAD(TYPE, name)                                     \
+    gl_->name = reinterpret_cast<PFNGL##TYPE##PROC>(load("gl" #name)); \
+    if (!gl_->name) throw DrawError("cannot draw: OpenGL has no gl" #name);
     CARREL_GL_FUNCTIONS(CARREL_GL_LOAD)
 #undef CARREL_GL_LOAD
 }
 
-Context::~Context() {
-    OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
-}
-
-void Context::make_current() {
-    if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(context_), own_, GL_UNSIGNED_BYTE, 16, 16))
-        throw DrawError("cannot draw: OSMesa's context cannot be made current");
-}
+Context::~Context() = default;
 
 static unsigned texture_of(Gl& gl, int width, int height, int kept_as, unsigned format, unsigned type) {
     unsigned id = 0;
@@ -72,6 +51,40 @@ Target::~Target() {
 void Target::draw_here() const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
     gl_.Viewport(0, 0, width, height);
+}
+
+Buffers::Buffers(Gl& gl) : gl_(gl) {
+    gl.GenVertexArrays(1, &array_);
+    gl.BindVertexArray(array_);
+    gl.GenBuffers(2, buffers_);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+    for (unsigned i = 0; i < 2; ++i) {
+        gl.EnableVertexAttribArray(i);
+        gl.VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                               reinterpret_cast<const void*>(i * sizeof(Eigen::Vector3f)));
+    }
+}
+
+Buffers::~Buffers() {
+    gl_.DeleteBuffers(2, buffers_);
+    gl_.DeleteVertexArrays(1, &array_);
+}
+
+void Buffers::fill(const Surface& surface, unsigned usage) {
+    const auto give = [&](unsigned to, const auto& values) {
+        gl_.BufferData(to, static_cast<GLsizeiptr>(values.size() * sizeof values[0]), values.data(), usage);
+    };
+    gl_.BindVertexArray(array_);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+    give(GL_ARRAY_BUFFER, surface.vertices);
+    give(GL_ELEMENT_ARRAY_BUFFER, surface.indices);
+}
+
+void Buffers::draw(std::size_t first, std::size_t count) const {
+    gl_.BindVertexArray(array_);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<int>(count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(first * sizeof(unsigned)));
 }
 
 Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment) : gl_(gl), id_(gl.CreateProgram()) {

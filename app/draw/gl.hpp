@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/draw/picture.hpp"
+#include "app/draw/surface.hpp"
 
 namespace app::draw {
 
@@ -16,12 +16,15 @@ namespace app::draw {
     F(BINDFRAMEBUFFER, BindFramebuffer) \
     F(BINDTEXTURE, BindTexture) \
     F(BINDVERTEXARRAY, BindVertexArray) \
+    F(BLENDFUNC, BlendFunc) \
     F(BUFFERDATA, BufferData) \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
     F(CLEAR, Clear) \
+    F(COLORMASK, ColorMask) \
     F(COMPILESHADER, CompileShader) \
     F(CREATEPROGRAM, CreateProgram) \
     F(CREATESHADER, CreateShader) \
+    F(CULLFACE, CullFace) \
     F(DELETEBUFFERS, DeleteBuffers) \
     F(DELETEFRAMEBUFFERS, DeleteFramebuffers) \
     F(DELETEPROGRAM, DeleteProgram) \
@@ -29,6 +32,7 @@ namespace app::draw {
     F(DELETETEXTURES, DeleteTextures) \
     F(DELETEVERTEXARRAYS, DeleteVertexArrays) \
     F(DEPTHFUNC, DepthFunc) \
+    F(DEPTHMASK, DepthMask) \
     F(DISABLE, Disable) \
     F(DRAWARRAYS, DrawArrays) \
     F(DRAWBUFFER, DrawBuffer) \
@@ -48,12 +52,14 @@ namespace app::draw {
     F(PIXELSTOREI, PixelStorei) \
     F(READBUFFER, ReadBuffer) \
     F(READPIXELS, ReadPixels) \
+    F(SCISSOR, Scissor) \
     F(SHADERSOURCE, ShaderSource) \
     F(TEXIMAGE2D, TexImage2D) \
     F(TEXPARAMETERFV, TexParameterfv) \
     F(TEXPARAMETERI, TexParameteri) \
     F(UNIFORM1F, Uniform1f) \
     F(UNIFORM1I, Uniform1i) \
+    F(UNIFORM2I, Uniform2i) \
     F(UNIFORM3FV, Uniform3fv) \
     F(UNIFORM4FV, Uniform4fv) \
     F(UNIFORMMATRIX4FV, UniformMatrix4fv) \
@@ -62,25 +68,11 @@ namespace app::draw {
     F(VIEWPORT, Viewport)
 // clang-format on
 
+/// OpenGL, as a context has found it.
 struct Gl {
 #define CARREL_GL_MEMBER(TYPE, name) PFNGL##TYPE##PROC name;
     CARREL_GL_FUNCTIONS(CARREL_GL_MEMBER)
 #undef CARREL_GL_MEMBER
-};
-
-/// A software OpenGL 3.3 core context without a window. Throws DrawError where there is none.
-class Context {
-  public:
-    Context();
-    ~Context();
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
-    void make_current();
-    Gl gl;
-
-  private:
-    void* context_;
-    unsigned char own_[16 * 16 * 4];  // the context wants a picture of its own; ours are larger and come and go
 };
 
 /// A picture on the graphics side, with depth; colour is left out where only depth is wanted.
@@ -90,7 +82,9 @@ class Target {
     ~Target();
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
+    /// All that is drawn from now on goes here.
     void draw_here() const;
+    unsigned frame() const { return frame_; }  ///< Its framebuffer.
     const int width, height;
     unsigned color = 0, depth = 0;  ///< Textures.
 
@@ -99,8 +93,27 @@ class Target {
     unsigned frame_ = 0;
 };
 
+/// Triangles on the graphics side.
+class Buffers {
+  public:
+    explicit Buffers(Gl& gl);
+    ~Buffers();
+    Buffers(const Buffers&) = delete;
+    Buffers& operator=(const Buffers&) = delete;
+    /// Takes the place of what was there. usage: GL_STATIC_DRAW or GL_STREAM_DRAW.
+    void fill(const Surface& surface, unsigned usage);
+    /// Draws so many indices from this one on.
+    void draw(std::size_t first, std::size_t count) const;
+
+  private:
+    Gl& gl_;
+    unsigned array_ = 0, buffers_[2] = {};
+};
+
+/// Shaders, linked.
 class Program {
   public:
+    /// Throws DrawError, which has the compiler's words.
     Program(Gl& gl, const std::string& vertex, const std::string& fragment);
     ~Program();
     Program(const Program&) = delete;
@@ -108,6 +121,7 @@ class Program {
     void use() const { gl_.UseProgram(id_); }
     void set(const char* name, int value) const { gl_.Uniform1i(at(name), value); }
     void set(const char* name, float value) const { gl_.Uniform1f(at(name), value); }
+    void set(const char* name, int x, int y) const { gl_.Uniform2i(at(name), x, y); }
     void set(const char* name, const Vec3& value) const;
     void set(const char* name, const Eigen::Matrix4d& value) const;
     void texture(const char* name, int unit, unsigned texture) const;

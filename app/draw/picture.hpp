@@ -1,8 +1,7 @@
 #pragma once
-#include <memory>
-#include <stdexcept>
 #include <vector>
 
+#include "app/draw/context.hpp"
 #include "assets/mesh.hpp"
 #include "instruments/tool.hpp"
 
@@ -29,6 +28,7 @@ Camera view_of(const std::vector<Vec3>& points, double aspect);
 /// unit, or zero for any side; radius > 0 [m].
 Camera close_view(const Vec3& point, double radius, const Vec3& outwards);
 
+/// A tool as it is drawn.
 struct ToolPicture {
     instruments::Kind kind = instruments::Kind::forceps;
     instruments::Pose pose;
@@ -44,7 +44,8 @@ struct Picture {
     double needle_radius = 0;                ///< Of their wire [m].
     std::vector<std::vector<Vec3>> wires;    ///< Of clamps, as the thread's pieces.
     double wire_radius = 0.2e-3;             ///< [m]
-    std::vector<ToolPicture> tools;
+    std::vector<ToolPicture> tools;          ///< Steel.
+    std::vector<ToolPicture> ghosts;         ///< Translucent, so that a tool beside or in one is seen; cast no shadow.
     std::vector<assets::Mesh> vessels;
     Camera camera = default_view();
     int width = 960, height = 640;  ///< Pixels, 1 to 4096 each.
@@ -56,32 +57,11 @@ struct Image {
     std::vector<unsigned char> pixels;  ///< 3 * width * height
 };
 
-struct DrawError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// Draws in memory: needs neither a window nor a graphics card. Making one compiles the shaders, so keep it. One thread
-/// at a time.
-/// Throws DrawError: OpenGL 3.3 is not to be had.
-class Canvas {
-  public:
-    Canvas();
-    ~Canvas();
-    struct Gpu;  ///< What OpenGL holds for us; canvas.cpp alone knows it.
-    Gpu& gpu() { return *gpu_; }
-
-  private:
-    std::unique_ptr<Gpu> gpu_;
-};
-
-/// The same picture gives the same bytes. Throws DrawError: a size or a camera out of range.
-Image render(Canvas& canvas, const Picture& picture);
-
 /// The place of a point of the world in the picture: pixels from its left and top edge; z is the depth [m] before the
 /// camera, not positive behind it.
 Vec3 project(const Picture& picture, const Vec3& point);
 
-/// Throws DrawError: no pixels, or as many as do not fit the size.
+/// Bytes of a PNG file. Throws DrawError: no pixels, or as many as do not fit the size.
 std::vector<unsigned char> encode_png(const Image& image);
 
 }  // namespace app::draw

@@ -7,12 +7,12 @@ namespace app::draw::shaders {
 inline constexpr char solid_vertex[] = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 direction;
-uniform mat4 clip_from_world;
+uniform mat4 clip_from_world, model;
 out vec3 world, normal;
 void main() {
-    world = position;
-    normal = direction;
-    gl_Position = clip_from_world * vec4(position, 1);
+    world = (model * vec4(position, 1)).xyz;
+    normal = mat3(model) * direction;
+    gl_Position = clip_from_world * vec4(world, 1);
 })";
 
 inline constexpr char nothing_fragment[] = "void main() {}";
@@ -84,6 +84,16 @@ void main() {
     color = vec4(pow(clamp(light, 0.0, 1.0), vec3(1.0 / 2.2)), 1);
 })";
 
+// A tool that is not there: its outline, so that what lies behind is seen.
+inline constexpr char ghost_fragment[] = R"(
+in vec3 world, normal;
+out vec4 color;
+uniform vec3 eye;
+void main() {
+    float edge = 1.0 - abs(dot(normalize(normal), normalize(eye - world)));
+    color = vec4(mix(vec3(0.34, 0.71, 0.91), vec3(0.92, 0.98, 1.0), edge), 0.22 + 0.6 * edge * edge);
+})";
+
 inline constexpr char screen_vertex[] = R"(
 out vec2 place;  // 0 to 1 from the lower left
 void main() {  // one triangle that covers the picture, at the far end
@@ -106,6 +116,7 @@ out vec4 color;
 uniform sampler2D fine, fine_depth;
 uniform vec3 lens;    // tan of half the field, across and up
 uniform vec3 planes;  // near, far [m]; reach [m]
+uniform ivec2 corner; // of the picture in what is drawn on
 
 float depth_at(ivec2 p) {
     float d = texelFetch(fine_depth, p, 0).x * 2.0 - 1.0;
@@ -138,7 +149,7 @@ float openness(ivec2 p, ivec2 last) {
 }
 
 void main() {
-    ivec2 p = ivec2(gl_FragCoord.xy) * 2, last = textureSize(fine, 0) - 1;
+    ivec2 p = (ivec2(gl_FragCoord.xy) - corner) * 2, last = textureSize(fine, 0) - 1;
     vec3 mean = vec3(0);
     float surface = 0.0;
     for (int y = 0; y < 2; ++y)

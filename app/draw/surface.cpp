@@ -2,32 +2,62 @@
 
 namespace app::draw {
 
-constexpr double crease_cosine = 0.75;  // 41 degrees: past a 9-gon's corner, short of any edge meant to be one
+constexpr float crease_cosine = 0.75f;  // 41 degrees: past a 9-gon's corner, short of any edge meant to be one
+
+void Surface::add(const Surface& more) {
+    const auto offset = static_cast<unsigned>(vertices.size());
+    vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
+    for (const unsigned index : more.indices) indices.push_back(offset + index);
+}
+
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+/// For each corner the faces that meet there: faces[first[c]] to faces[first[c + 1] - 1].
+struct FacesAtCorners {
+    std::vector<int> first, faces;
+
+    explicit FacesAtCorners(const assets::Mesh& mesh)
+        : first(mesh.vertices.size() + 2), faces(3 * mesh.triangles.size()) {
+        for (const auto& triangle : mesh.triangles)
+            for (const int corner : triangle) ++first[static_cast<std::size_t>(corner) + 2];
+        for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const int corner : mesh.triangles[t])
+                faces[static_cast<std::size_t>(first[static_cast<std::size_t>(corner) + 1]++)] = static_cast<int>(t);
+    }
+};
+
+}  // namespace
 
 Surface shaded(const assets::Mesh& mesh) {
-    std::vector<Vec3> areas;
-    std::vector<std::vector<int>> faces_at(mesh.vertices.size());
+    std::vector<Vec3f> areas, units;
     for (const auto& [a, b, c] : mesh.triangles) {
         const Vec3& p = mesh.vertices[a];
-        areas.push_back((mesh.vertices[b] - p).cross(mesh.vertices[c] - p));
-        for (const int corner : {a, b, c}) faces_at[corner].push_back(static_cast<int>(areas.size()) - 1);
+        areas.push_back((1e6 * (mesh.vertices[b] - p).cross(mesh.vertices[c] - p)).cast<float>());  // [mm^2]
+        units.push_back(areas.back().normalized());
     }
+    const FacesAtCorners at(mesh);
     Surface surface;
-    std::vector<std::vector<unsigned>> made(mesh.vertices.size());  // one vertex for each normal of a corner
-    const auto vertex = [&](int corner, const Vec3& area) {
-        Vec3 sum = Vec3::Zero();
-        for (const int face : faces_at[corner])
-            if (areas[face].dot(area) >= crease_cosine * areas[face].norm() * area.norm()) sum += areas[face];
-        const Eigen::Vector3f normal = sum.normalized().cast<float>();
-        for (const unsigned v : made[corner])
-            if (surface.vertices[v].normal == normal) return v;
+    // The vertices made of a corner, one for each of its normals: the last, and from each to the one before.
+    std::vector<int> made(mesh.vertices.size(), -1), before;
+    const auto vertex = [&](std::size_t corner, const Vec3f& unit) {
+        Vec3f sum = Vec3f::Zero();
+        for (int i = at.first[corner]; i < at.first[corner + 1]; ++i)
+            if (units[at.faces[i]].dot(unit) >= crease_cosine) sum += areas[at.faces[i]];
+        const Vec3f normal = sum.normalized();
+        for (int v = made[corner]; v >= 0; v = before[v])
+            if (surface.vertices[v].normal == normal) return static_cast<unsigned>(v);
         surface.vertices.push_back({mesh.vertices[corner].cast<float>(), normal});
-        made[corner].push_back(static_cast<unsigned>(surface.vertices.size()) - 1);
-        return made[corner].back();
+        before.push_back(made[corner]);
+        made[corner] = static_cast<int>(before.size()) - 1;
+        return static_cast<unsigned>(made[corner]);
     };
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (areas[t].isZero(0)) continue;
-        for (const int corner : mesh.triangles[t]) surface.indices.push_back(vertex(corner, areas[t]));
+        for (const int corner : mesh.triangles[t])
+            surface.indices.push_back(vertex(static_cast<std::size_t>(corner), units[t]));
     }
     return surface;
 }

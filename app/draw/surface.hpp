@@ -7,12 +7,16 @@ namespace app::draw {
 
 /// What the graphics library takes.
 struct Vertex {
-    Eigen::Vector3f position, normal;  ///< [m], world.
+    Eigen::Vector3f position, normal;  ///< [m], world; unit.
 };
 
+/// Triangles that share vertices.
 struct Surface {
-    std::vector<Vertex> vertices;
+    std::vector<Vertex> vertices;   ///< Its corners.
     std::vector<unsigned> indices;  ///< Three a triangle, counter-clockwise seen from outside.
+
+    /// Appends another.
+    void add(const Surface& more);
 };
 
 /// Normals: the mean over a corner's faces, by area, that meet at less than the crease angle; so walls are round and
@@ -27,13 +31,34 @@ assets::Mesh loft(const Vec3& first_pole, const std::vector<std::vector<Vec3>>& 
 /// No two successive points may coincide.
 std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int pieces);
 
-/// Round-ended tube of radius_at(point) about the thread's smooth curve, or a ball; empty for no points. The frames are
-/// carried along by rotations (parallel transport), so the skin never twists.
-assets::Mesh tube(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at);
+/// How finely a round thing is drawn.
+struct Roundness {
+    int around = 16;    ///< Sides.
+    int cap_rings = 4;  ///< From an end's equator to its pole.
+    int pieces = 5;     ///< Of the smooth curve, a span.
+};
 
-/// A tool's solid parts at its pose: shaft with its hinge pin, and the jaws. They are the capsules of
-/// instruments::parts_at where threads are held; towards the hinge the jaws are drawn stouter on the outside (at most
-/// 1.6 jaw radii), and their edges squarer (at most 0.2 radii).
-std::vector<assets::Mesh> tool(const ToolPicture& picture);
+/// Round-ended tube of radius_at(point) about the thread's smooth curve, or a ball; empty for no points. The frames are
+/// carried along by rotations (parallel transport), so the skin never twists; normals are those of a round tube.
+Surface tube(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at,
+             const Roundness& roundness = {});
+
+/// A tool's solid parts.
+enum class ToolPart { shaft, pin, jaw };
+
+/// One of them in its own frame: +z the way the tool points, y the tool's, the jaw's mate on its -x side; its origin is
+/// the front of the shaft, the middle of the pin, the hinge of the jaw. `around`: sides.
+assets::Mesh tool_part(instruments::Kind kind, ToolPart part, int around);
+
+/// A part, and from its frame to the world.
+struct PlacedPart {
+    ToolPart part;
+    Eigen::Isometry3d pose;
+};
+
+/// A tool's parts at its pose: shaft with its hinge pin, and the jaws. They are the capsules of instruments::parts_at
+/// where threads are held; towards the hinge the jaws are drawn stouter on the outside (at most 1.6 jaw radii), and
+/// their edges squarer (at most 0.2 radii).
+std::vector<PlacedPart> placed_parts(const ToolPicture& picture);
 
 }  // namespace app::draw

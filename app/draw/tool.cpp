@@ -11,14 +11,12 @@ using instruments::Kind;
 using instruments::ToolShape;
 using sim::geometry::Capsule;
 
-constexpr int around = 32;
-
 /// A solid along +z: at height z an outline of half widths x and y; sharper is squarer (2 is an ellipse).
 struct Slice {
     double z, minus_x, plus_x, y;
 };
 
-std::vector<Vec3> outline(const Slice& slice, double sharpness) {
+std::vector<Vec3> outline(const Slice& slice, double sharpness, int around) {
     std::vector<Vec3> points;
     for (int k = 0; k < around; ++k) {
         const double angle = 2 * std::numbers::pi * k / around, c = std::cos(angle), s = std::sin(angle);
@@ -28,14 +26,14 @@ std::vector<Vec3> outline(const Slice& slice, double sharpness) {
     return points;
 }
 
-assets::Mesh solid(const std::vector<Slice>& slices, double first_z, double last_z, double sharpness) {
+assets::Mesh solid(const std::vector<Slice>& slices, double first_z, double last_z, double sharpness, int around) {
     std::vector<std::vector<Vec3>> rings;
-    for (const Slice& slice : slices) rings.push_back(outline(slice, sharpness));
+    for (const Slice& slice : slices) rings.push_back(outline(slice, sharpness, around));
     return loft({0, 0, first_z}, rings, {0, 0, last_z});
 }
 
 /// Outer surface of the round shaft: front hemisphere true to its capsule, grooves for the fingers, a rounded end.
-assets::Mesh shaft_of(const ToolShape& shape) {
+assets::Mesh shaft_of(const ToolShape& shape, int around) {
     const double r = shape.shaft_radius, length = shape.shaft_length;
     std::vector<Slice> slices;
     const auto add = [&](double z, double radius) { slices.push_back({z, radius, radius, radius}); };
@@ -51,11 +49,11 @@ assets::Mesh shaft_of(const ToolShape& shape) {
     // Built from the tail forwards, so that +z is the way the tool points.
     for (Slice& slice : slices) slice.z = -slice.z;
     std::reverse(slices.begin(), slices.end());
-    return solid(slices, -length - r, r, 2);
+    return solid(slices, -length - r, r, 2, around);
 }
 
 /// Jaw from a little inside the shaft (z < 0) to its tip, its mate on the -x side.
-assets::Mesh jaw_of(const ToolShape& shape, double root, double sharpness) {
+assets::Mesh jaw_of(const ToolShape& shape, double root, double sharpness, int around) {
     const double r = shape.jaw_radius, reach = shape.jaw_length - r;
     std::vector<Slice> slices;
     for (int i = -2; i <= 24; ++i) {
@@ -66,47 +64,54 @@ assets::Mesh jaw_of(const ToolShape& shape, double root, double sharpness) {
         const double c = r * std::cos(std::numbers::pi / 2 * i / 6);
         slices.push_back({reach + r * std::sin(std::numbers::pi / 2 * i / 6), c, c, c});
     }
-    return solid(slices, slices.front().z, reach + r, sharpness);
+    return solid(slices, slices.front().z, reach + r, sharpness, around);
 }
 
-assets::Mesh pin_of(const ToolShape& shape) {
+assets::Mesh pin_of(const ToolShape& shape, int around) {
     const double r = shape.shaft_radius, half = 0.98 * r, radius = 0.3 * r, chamfer = 0.06 * r;
     const auto slice = [](double z, double width) { return Slice{z, width, width, width}; };
     return solid({slice(-half, radius - chamfer), slice(chamfer - half, radius), slice(half - chamfer, radius),
                   slice(half, radius - chamfer)},
-                 -half, half, 2);
+                 -half, half, 2, around);
 }
 
-assets::Mesh moved(assets::Mesh mesh, const Vec3& origin, const Eigen::Matrix3d& axes) {
-    for (Vec3& p : mesh.vertices) p = origin + axes * p;
-    return mesh;
-}
-
-/// Frame of a capsule: z from a to b, y the tool's, x outwards.
-Eigen::Matrix3d frame(const Capsule& capsule, const Vec3& y) {
-    Eigen::Matrix3d axes;
+/// Frame of a capsule: from a, z towards b, y the tool's, x outwards.
+Eigen::Isometry3d frame(const Vec3& origin, const Capsule& capsule, const Vec3& y) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     const Vec3 z = (capsule.b - capsule.a).normalized();
-    axes << y.cross(z), y, z;
-    return axes;
+    pose.linear() << y.cross(z), y, z;
+    pose.translation() = origin;
+    return pose;
 }
 
 }  // namespace
 
-std::vector<assets::Mesh> tool(const ToolPicture& picture) {
+assets::Mesh tool_part(Kind kind, ToolPart part, int around) {
+    const ToolShape& shape = instruments::shape_of(kind);
+    const bool slim = kind == Kind::forceps;
+    switch (part) {
+        case ToolPart::shaft:
+            return shaft_of(shape, around);
+        case ToolPart::pin:
+            return pin_of(shape, around);
+        case ToolPart::jaw:
+            return jaw_of(shape, slim ? 1.6 : 1.2, slim ? 2.6 : 3.2, around);
+    }
+    return {};
+}
+
+std::vector<PlacedPart> placed_parts(const ToolPicture& picture) {
     const ToolShape& shape = instruments::shape_of(picture.kind);
-    const bool slim = picture.kind == Kind::forceps;
     const auto parts = instruments::parts_at(shape, picture.pose, picture.jaw);
     const Vec3 y = picture.pose.rotation * Vec3::UnitY();
-    const Eigen::Matrix3d turned = (Eigen::Matrix3d() << -1, 0, 0, 0, -1, 0, 0, 0, 1).finished();
-    const Eigen::Matrix3d upright = (Eigen::Matrix3d() << 1, 0, 0, 0, 0, -1, 0, 1, 0).finished();  // z to -y... a pin
-    const assets::Mesh jaw = jaw_of(shape, slim ? 1.6 : 1.2, slim ? 2.6 : 3.2);
-
     const Capsule &shaft = parts[instruments::shaft], &plus = parts[instruments::jaw_plus],
                   &minus = parts[instruments::jaw_minus];
-    const Eigen::Matrix3d axes = frame(shaft, y);
-    return {moved(shaft_of(shape), shaft.b, axes),
-            moved(pin_of(shape), shaft.b + 0.45 * shape.shaft_radius * axes.col(2), axes * upright),
-            moved(jaw, plus.a, frame(plus, y)), moved(jaw, minus.a, frame(minus, y) * turned)};
+    const Eigen::AngleAxisd half_turn(std::numbers::pi, Vec3::UnitZ()), upright(std::numbers::pi / 2, Vec3::UnitX());
+    const Eigen::Isometry3d front = frame(shaft.b, shaft, y);
+    return {{ToolPart::shaft, front},
+            {ToolPart::pin, front * Eigen::Translation3d(0, 0, 0.45 * shape.shaft_radius) * upright},
+            {ToolPart::jaw, frame(plus.a, plus, y)},
+            {ToolPart::jaw, frame(minus.a, minus, y) * half_turn}};
 }
 
 }  // namespace app::draw

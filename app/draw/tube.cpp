@@ -7,8 +7,6 @@
 
 namespace app::draw {
 
-constexpr int around = 16, cap_rings = 4, pieces = 5;
-
 std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int steps) {
     const int last = static_cast<int>(points.size()) - 1;
     const auto chord = [&](int i) { return (points[i + 1] - points[i]).norm(); };
@@ -31,37 +29,69 @@ std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int steps) {
     return curve;
 }
 
-static std::vector<Vec3> ring(const Vec3& centre, const Vec3& u, const Vec3& v, double radius) {
-    std::vector<Vec3> points;
-    for (int k = 0; k < around; ++k) {
-        const double angle = 2 * std::numbers::pi * k / around;
-        points.push_back(centre + radius * (std::cos(angle) * u + std::sin(angle) * v));
-    }
-    return points;
-}
+namespace {
 
-assets::Mesh tube(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at) {
+/// Skin that grows ring by ring.
+class Skin {
+  public:
+    explicit Skin(int around) : around_(static_cast<unsigned>(around)) {
+        for (int k = 0; k < around; ++k) {
+            const double angle = 2 * std::numbers::pi * k / around;
+            circle_.emplace_back(std::cos(angle), std::sin(angle));
+        }
+    }
+    /// A ring about `centre` square to u and v, whose normals lean by sine along the tube; joined to the one before.
+    void ring(const Vec3& centre, const Vec3& u, const Vec3& v, double radius, double sine) {
+        const double cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+        const Vec3 lean = sine * u.cross(v);
+        const auto first = static_cast<unsigned>(surface.vertices.size());
+        for (const auto& [c, s] : circle_) {
+            const Vec3 out = c * u + s * v;
+            surface.vertices.push_back(
+                {(centre + radius * out).cast<float>(), (cosine * out + lean).eval().cast<float>()});
+        }
+        if (first == 0) return;
+        for (unsigned k = 0; k < around_; ++k) {
+            const unsigned next = (k + 1) % around_, a = first - around_ + k, b = first - around_ + next;
+            for (const unsigned i : {a, b, first + next, a, first + next, first + k}) surface.indices.push_back(i);
+        }
+    }
+    Surface surface;
+
+  private:
+    struct OnCircle {
+        double c, s;
+        OnCircle(double cosine, double sine) : c(cosine), s(sine) {}
+    };
+    unsigned around_;
+    std::vector<OnCircle> circle_;
+};
+
+}  // namespace
+
+Surface tube(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at,
+             const Roundness& roundness) {
     // Nodes nearer than a thousandth of the radius cannot be told apart in any picture that shows the radius.
     std::vector<Vec3> nodes;
     for (const Vec3& p : points)
         if (nodes.empty() || (p - nodes.back()).norm() > 1e-3 * radius_at(p)) nodes.push_back(p);
     if (nodes.empty()) return {};
-    const std::vector<Vec3> curve = smooth_curve(nodes, pieces);
+    const std::vector<Vec3> curve = smooth_curve(nodes, roundness.pieces);
     const std::size_t last = curve.size() - 1;
     const auto direction = [&](std::size_t i) -> Vec3 {
         if (last == 0) return Vec3::UnitX();
         return (curve[std::min(i + 1, last)] - curve[i ? i - 1 : 0]).normalized();
     };
 
-    std::vector<std::vector<Vec3>> rings;
+    Skin skin(roundness.around);
     Vec3 along = direction(0), u = along.unitOrthogonal();
-    const auto cap = [&](const Vec3& centre, double side, int i) {  // ring i of cap_rings, 0 the equator
-        const double angle = std::numbers::pi / 2 * i / cap_rings, radius = radius_at(centre);
-        rings.push_back(
-            ring(centre + side * radius * std::sin(angle) * along, u, along.cross(u), radius * std::cos(angle)));
+    const auto cap = [&](const Vec3& centre, double side,
+                         int i) {  // ring i of cap_rings, 0 the equator, the last the pole
+        const double angle = std::numbers::pi / 2 * i / roundness.cap_rings, radius = radius_at(centre);
+        const double sine = side * std::sin(angle), cosine = i == roundness.cap_rings ? 0 : std::cos(angle);
+        skin.ring(centre + sine * radius * along, u, along.cross(u), radius * cosine, sine);
     };
-    for (int i = cap_rings - 1; i > 0; --i) cap(curve.front(), -1, i);
-    const Vec3 first_pole = curve.front() - radius_at(curve.front()) * along;
+    for (int i = roundness.cap_rings; i > 0; --i) cap(curve.front(), -1, i);
     for (std::size_t i = 0; i <= last; ++i) {
         const Vec3 next = direction(i);
         u = sim::geometry::rotation_between(along, next) * u;
@@ -69,8 +99,8 @@ assets::Mesh tube(const std::vector<Vec3>& points, const std::function<double(co
         along = next;
         cap(curve[i], 1, 0);
     }
-    for (int i = 1; i < cap_rings; ++i) cap(curve.back(), 1, i);
-    return loft(first_pole, rings, curve.back() + radius_at(curve.back()) * along);
+    for (int i = 1; i <= roundness.cap_rings; ++i) cap(curve.back(), 1, i);
+    return std::move(skin.surface);
 }
 
 }  // namespace app::draw

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "app/draw/picture.hpp"
+#include "app/draw/canvas.hpp"
 #include "assets/mesh.hpp"
 
 namespace {
