@@ -28,9 +28,8 @@ Source from_drill(const std::string& file) {
     Source source{scenarios::drill::load_drill(file), {}, 0, {}};
     if (source.drill.motion.empty())
         throw InputFault(file + ": error: /motion: the drill names no motion, so where its tools are is not known");
-    std::vector<std::string> names;
-    for (const auto& instrument : source.drill.world.instruments) names.push_back(instrument.name);
-    const auto motion = scenarios::drill::load_motion(source.drill.motion, names);
+    const auto motion =
+        scenarios::drill::load_motion(source.drill.motion, scenarios::drill::instrument_names(source.drill));
     const double tick_s = source.drill.world.tick_s;
     source.duration_s = motion.duration();
     source.inputs_at = [motion, tick_s](std::uint64_t tick, std::span<ToolInput> inputs) {

@@ -29,7 +29,7 @@ std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& op
     if (file.has_parent_path()) make_folder("--record", file.parent_path());
     expect_writable("--record", file);
     return scenarios::recording::Recorder(file, {drill.text, options.drill, build_name(), drill.world.tick_s,
-                                                 instrument_names(drill), assets_of(drill.world)});
+                                                 scenarios::drill::instrument_names(drill), assets_of(drill.world)});
 }
 
 // One tick after another; what was recorded is safe up to the last flush whatever happens after it.
@@ -85,7 +85,7 @@ int run_command(const RunOptions& options) {
         options.input.empty() ? drill.motion : std::filesystem::path(options.input);
     if (motion_file.empty())
         throw InputFault(options.drill + ": error: /motion: the drill names no motion, give one with --input MOTION");
-    const auto motion = scenarios::drill::load_motion(motion_file, instrument_names(drill));
+    const auto motion = scenarios::drill::load_motion(motion_file, scenarios::drill::instrument_names(drill));
 
     for (const std::string& warning : warnings_of(drill, &motion))
         std::cerr << options.drill << ": warning: " << warning << '\n';

@@ -26,7 +26,7 @@ std::vector<std::string> check(const std::string& file) {
         add(warnings_of(drill, nullptr));
         return sentences;
     }
-    const auto motion = scenarios::drill::load_motion(drill.motion, instrument_names(drill));
+    const auto motion = scenarios::drill::load_motion(drill.motion, scenarios::drill::instrument_names(drill));
     std::vector<instruments::ToolInput> start(drill.world.instruments.size());
     motion.at(0, start);
     check_tool_starts(drill, rigid, start, drill.motion.string());

@@ -7,12 +7,6 @@
 
 namespace app {
 
-std::vector<std::string> instrument_names(const scenarios::drill::Drill& drill) {
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    return names;
-}
-
 std::vector<std::string> warnings_of(const scenarios::drill::Drill& drill, const scenarios::drill::Motion* motion) {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < drill.world.vessels.size(); ++i) {
@@ -23,7 +17,8 @@ std::vector<std::string> warnings_of(const scenarios::drill::Drill& drill, const
     }
     if (!motion) return sentences;
     if (const std::string lost = motion->cut_short_at(drill.time_limit_s); !lost.empty()) sentences.push_back(lost);
-    for (const std::string& gap : motion->gaps(instrument_names(drill))) sentences.push_back("/motion: " + gap);
+    for (const std::string& gap : motion->gaps(scenarios::drill::instrument_names(drill)))
+        sentences.push_back("/motion: " + gap);
     return sentences;
 }
 

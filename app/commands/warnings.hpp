@@ -7,9 +7,6 @@
 
 namespace app {
 
-/// Names of a drill's instruments, in its order.
-std::vector<std::string> instrument_names(const scenarios::drill::Drill& drill);
-
 /// What is amiss with a drill and still can be played, a sentence each that begins with a JSON pointer: what was mended
 /// in its meshes and, with a motion, what of that the time limit cuts off and where rows are left out.
 /// Throws assets::AssetError for a bad mesh. Cost: reads the meshes.

@@ -33,9 +33,7 @@ Drill drill_of(const Recording& recording, const std::string& file) try {
 }
 
 void check_inputs_fit(const Recording& recording, const Drill& drill, const std::string& file) {
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    if (names != recording.head.instruments)
+    if (scenarios::drill::instrument_names(drill) != recording.head.instruments)
         refuse(file, "its inputs are of other instruments than those of the drill in it");
     if (recording.head.tick_s != drill.world.tick_s)
         refuse(file, "its ticks are not as long as those of the drill in it");

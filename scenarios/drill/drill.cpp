@@ -409,4 +409,10 @@ std::string published_schema() {
     return laid_out(schema) + "\n";
 }
 
+std::vector<std::string> instrument_names(const Drill& drill) {
+    std::vector<std::string> names;
+    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
+    return names;
+}
+
 }  // namespace scenarios::drill

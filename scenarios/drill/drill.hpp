@@ -56,6 +56,9 @@ Drill load_drill(const std::filesystem::path& file);
 /// relative paths start from `base`. Throws FileError.
 Drill parse_drill(const std::string& text, const std::string& name, const std::filesystem::path& base);
 
+/// The names of a drill's instruments, in its order.
+std::vector<std::string> instrument_names(const Drill& drill);
+
 /// The published JSON Schema (draft 2020-12) of drill files, as committed in scenarios/drills/schema.
 std::string published_schema();
 

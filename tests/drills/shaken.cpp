@@ -75,9 +75,7 @@ Outcome play(const scenarios::drill::Drill& drill, const Motion& motion, const s
 int main(int argc, char** argv) {
     if (argc != 5) return std::fprintf(stderr, "usage: shaken DRILL NAME FIRST_SEED LAST_SEED\n"), 2;
     const auto drill = scenarios::drill::load_drill(argv[1]);
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    const Motion motion = scenarios::drill::load_motion(drill.motion, names);
+    const Motion motion = scenarios::drill::load_motion(drill.motion, scenarios::drill::instrument_names(drill));
     int runs = 0, right = 0;
     std::uint64_t pass_throughs = 0;
     for (unsigned seed = static_cast<unsigned>(std::atoi(argv[3])); seed <= static_cast<unsigned>(std::atoi(argv[4]));

@@ -16,12 +16,6 @@ using scenarios::drill::Motion;
 
 namespace {
 
-std::vector<std::string> names_of(const scenarios::drill::Drill& drill) {
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    return names;
-}
-
 /// What the hands' device says of one tool at a time, without faults and with.
 struct Device {
     const Motion& motion;
@@ -102,7 +96,7 @@ Frame frame_of(const scenarios::world::World& world, std::uint64_t passed_before
 
 Trace play_drill(const Scene& scene) {
     const auto drill = drill_of(scene);
-    const auto names = names_of(drill);
+    const auto names = scenarios::drill::instrument_names(drill);
     const Motion motion = scenarios::drill::load_motion(drill.motion, names);
     std::vector<ToolInput> inputs(names.size());
     motion.at(0, inputs);

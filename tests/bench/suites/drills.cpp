@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenarios/drill/drill.hpp"
-#include "scenarios/drill/motion.hpp"
+#include "scenarios/session/script.hpp"
 #include "scenarios/session/session.hpp"
 #include "scenarios/world/judge.hpp"
 #include "tests/bench/lab/core.hpp"
@@ -71,17 +70,13 @@ struct PlayedDrill {
 };
 
 PlayedDrill played(const std::filesystem::path& file, const Way& way) {
-    const Drill drill = changed(scenarios::drill::load_drill(file), way);
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    const auto motion = scenarios::drill::load_motion(drill.motion, names);
-    std::vector<instruments::ToolInput> inputs(names.size());
-    motion.at(0, inputs);
-    scenarios::session::Session session(drill, inputs);
+    const scenarios::session::Script script(changed(scenarios::drill::load_drill(file), way));
+    scenarios::session::Session session(script.drill, script.inputs(0));
     std::vector<double> ticks;  // [us]
     double spent = 0;           // [s]
-    for (int tick = 0; tick * way.tick < motion.duration(); ++tick) {
-        motion.at(tick * way.tick, inputs);
+    const double duration_s = script.motion.duration();
+    for (std::uint64_t tick = 0; static_cast<double>(tick) * way.tick < duration_s; ++tick) {
+        const auto inputs = script.inputs(tick);
         const double begin = processor_time();
         session.tick(inputs);
         const double took = processor_time() - begin;
@@ -98,7 +93,7 @@ PlayedDrill played(const std::filesystem::path& file, const Way& way) {
              {"shorter", "shorter tail", "mm", tied ? *shorter : 0},
              {"longer", "longer tail", "mm", tied ? *longer : 0},
              {"tension", "largest tension", "N", found.tension_max_N.value}},
-            {{"cost", "processor time of a simulated second", "ms", 1000 * spent / motion.duration()},
+            {{"cost", "processor time of a simulated second", "ms", 1000 * spent / duration_s},
              {"p50", "median tick", "us", percentile(ticks, 0.5)},
              {"p99", "tick, 99th percentile", "us", percentile(ticks, 0.99)}}};
 }

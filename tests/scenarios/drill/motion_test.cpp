@@ -178,8 +178,7 @@ TEST(Motion, TellsWhereADeviceLeftOutRows) {
     EXPECT_EQ(Motion({still}).gaps(std::vector<std::string>{"left"}).size(), 0u);
     for (const char* drill : {"square-knot", "granny-knot", "surgeons-knot", "single-bite", "stay-sutures"}) {
         const Drill read = load_drill(std::string(CARREL_SOURCE) + "/scenarios/drills/" + drill + ".json");
-        std::vector<std::string> names;
-        for (const auto& instrument : read.world.instruments) names.push_back(instrument.name);
+        const auto names = instrument_names(read);
         EXPECT_EQ(load_motion(read.motion, names).gaps(names), std::vector<std::string>()) << drill << ": by hand";
     }
 }
