@@ -41,6 +41,9 @@ static void check_sewing(const JsonText& document, const json& entries, const wo
                "the thread has no needle: give it one (\"needle\"), or leave this out");
     if (world.vessels.empty())
         refuse({"bites", "bite_mm", "bite_deg"}, "there is no vessel to bite: add one, or leave this out");
+    if (std::ranges::none_of(world.vessels, [](const auto& vessel) { return vessel.is_soft; }))
+        refuse({"walls_crossed"},
+               "no wall gives way, and tools stop at rigid ones: expected \"tissue\": \"elastic\", or leave this out");
     if (!entries.contains("bites"))
         refuse({"bite_mm", "bite_deg"}, "expected \"bites\" as well, how many there must be");
     if (!has_needle || world.vessels.size() != 2)
@@ -54,6 +57,7 @@ Bands read_bands(const JsonText& document, const json& entries, const world::Wor
     for (const auto& [key, member] : {Single{"time_s", &Bands::time_s},
                                       {"tension_N", &Bands::tension_N},
                                       {"pass_throughs", &Bands::pass_throughs},
+                                      {"walls_crossed", &Bands::walls_crossed},
                                       {"needle_deg", &Bands::needle_deg},
                                       {"bites", &Bands::bites},
                                       {"bite_mm", &Bands::bite_mm},

@@ -31,6 +31,7 @@ struct Goal {
 /// Bands of scored items, in the unit of the name. An item without one is shown, not judged.
 struct Bands {
     std::optional<Band> time_s, tension_N, pass_throughs;      ///< Bands of the whole session.
+    std::optional<Band> walls_crossed;                         ///< Band of what tools do to walls that give way.
     std::optional<Band> needle_deg, bites, bite_mm, bite_deg;  ///< Bands of needle and bites.
     std::optional<Band> gap_mm, lumen, leak_mL_min, lapses;    ///< Bands of a join.
     std::vector<std::optional<Band>> path_mm, grasps, lag_mm;  ///< One per instrument, in the drill's order.

@@ -295,6 +295,7 @@ Schema bands() {
          {"lumen", band("Area of the lumen at the join, over what it was.", 10, ""), false},
          {"leak_mL_min", band("Leak of the join at 100 mmHg.", 1e6, "mL/min"), false},
          {"lapses", band_of_counts("Lapses of ten (Anastomosis Lapse Index).", 10), false},
+         {"walls_crossed", band_of_counts("Times an instrument was led through a wall that gave way.", 1000), false},
          {"pass_throughs", band_of_counts("Times the thread passed through something.", 1e9), false,
           json{{"max", 0}}}});
 }

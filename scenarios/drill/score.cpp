@@ -266,6 +266,16 @@ void score_lag(const Drill& drill, const world::Measures& measures, std::vector<
     }
 }
 
+void score_walls(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
+    const auto gives_way = [](const world::VesselDef& vessel) { return vessel.is_soft; };
+    if (std::ranges::none_of(drill.world.vessels, gives_way)) return;
+    items.push_back(judged({"walls_crossed", "Walls crossed by tools", "", static_cast<double>(measures.walls_crossed),
+                            0, measures.first_crossed_s,
+                            "A tool was led through a vessel's wall. Go round the vessel, and look where the shaft is.",
+                            "Fewer walls were crossed than asked."},
+                           drill.bands.walls_crossed));
+}
+
 // What ends by itself ends before its limit.
 void score_time(const Drill& drill, const world::Measures& measures, std::vector<ScoreItem>& items) {
     ScoreItem item = judged({"time", "Time", "s", measures.duration_s, 1, measures.duration_s,
@@ -311,6 +321,7 @@ std::vector<ScoreItem> score(const Drill& drill, const world::Measures& measures
                 too_hard, "The thread was never pulled tight, so that what is tied is loose."},
                drill.bands.tension_N));
     score_lag(drill, measures, items);
+    score_walls(drill, measures, items);
     items.push_back(judged({"pass_throughs", "Pass-throughs", "", static_cast<double>(measures.pass_throughs), 0,
                             measures.first_pass_through_s,
                             "The simulated thread passed through something solid: the fault is the simulator's and "

@@ -29,6 +29,7 @@ enum class EventKind {
     broken,          ///< Thread broke.
     knot,            ///< The knot took another name.
     pass_through,    ///< Thread passed through something: a fault of the simulation.
+    wall_crossed,    ///< A tool was led through a wall that gave way.
 };
 
 /// A kind of event in words.
@@ -62,6 +63,7 @@ inline constexpr std::array event_words{
     EventWords{EventKind::broken, "break", "mm", "the thread broke, at what pull; how far along the thread"},
     EventWords{EventKind::knot, "knot", "", "the thread's knot took this name"},
     EventWords{EventKind::pass_through, "pass_through", "times", "the thread passed through something; how often"},
+    EventWords{EventKind::wall_crossed, "wall_crossed", "", "an instrument was led through a vessel's wall"},
 };
 
 /// The words of one kind.

@@ -67,7 +67,7 @@ static void add_to(Hash& hash, const WallGrip& grip) {
 }
 static void add_to(Hash& hash, const Tool& tool) {
     hash.add(tool.asked, tool.before, tool.now, tool.grasps, tool.closed, tool.stopped, tool.slipping, tool.walls,
-             tool.held_up);
+             tool.held_up, tool.crosses);
 }
 static void add_to(Hash& hash, const Holder& holder) {
     hash.add(holder.tool, holder.seen, holder.along);
@@ -100,7 +100,7 @@ static void add_to(Hash& hash, const Measures& measures) {
     add_name(hash, measures.knot);
     hash.add(measures.hitched_to, measures.piece, measures.knot_since_s, measures.needle_deg, measures.duration_s,
              measures.path_mm, measures.grasps, measures.tension_max_N, measures.lag_max_mm, measures.pass_throughs,
-             measures.first_pass_through_s, measures.broke_s);
+             measures.first_pass_through_s, measures.broke_s, measures.walls_crossed, measures.first_crossed_s);
 }
 
 static void add_to(Hash& hash, const SoftVessel& vessel) {

@@ -92,6 +92,8 @@ struct Measures : KnotPlace, Sewing {
     std::uint64_t pass_throughs = 0;  ///< How often thread passed through anything.
     double first_pass_through_s = 0;  ///< When it first did [s].
     std::optional<double> broke_s;    ///< When the thread first broke [s]; none: it did not.
+    int walls_crossed = 0;            ///< How often a tool was led through a wall that gave way.
+    double first_crossed_s = 0;       ///< When one first was [s].
 };
 
 }  // namespace scenarios::world

@@ -18,6 +18,7 @@ void World::tick(std::span<const ToolInput> inputs) {
     let_grasps_slip();
     move_walls();
     watch_needle();
+    watch_tools_in_walls();
     measure(report);
     part_thread();
 }

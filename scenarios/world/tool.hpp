@@ -40,6 +40,7 @@ struct Tool {
     bool slipping = false;          ///< Thread slid between its jaws in the last tick.
     std::vector<WallGrip> walls{};  ///< Points of walls in its jaws, at most WallGrip::most.
     bool held_up = false;           ///< That it is farther behind its hand than a jaw is thick has been told.
+    int crosses = -1;               ///< Index into Walls::vessels() of the one whose wall it is led through; none: -1.
 
     /// How far it is behind its hand, a turn taken at its jaws' length [m].
     double lag() const { return instruments::distance_between(now.pose, asked.pose, shape.jaw_length); }

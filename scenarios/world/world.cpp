@@ -112,6 +112,7 @@ void World::reserve() {
     holds_.reserve(held);
     capsules_.reserve(instruments::part_count * tools_.size() + instruments::needle_parts * needles_.size());
     swages_.reserve(needles_.size());
+    near_.reserve(static_cast<std::size_t>(walls_.tree().size()));
     events_.reserve(1024);
 }
 

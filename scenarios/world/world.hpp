@@ -102,6 +102,8 @@ class World {
     bool take(Needle& needle, int number, const JawRoom& room);
     void let_needle_go(int number);
     void watch_needle();
+    int wall_crossed_by(const Tool& tool);
+    void watch_tools_in_walls();
     void drop_second_grip(Needle& needle);
     void hold_thread_on(Needle& needle);
     void take_hold(Tool& tool);
@@ -147,6 +149,7 @@ class World {
     // Scratch of one tick.
     std::vector<int> swages_;  // links that needles lead
     std::vector<int> held_;    // nodes that tools and needles hold
+    std::vector<int> near_;    // triangles of walls near a tool
     std::vector<Grasp> flat_;  // a tool's grasps, laid flat; never shorter than before, so that room is kept
     Grasp before_slip_;        // what slides, as it was held
     std::vector<sim::thread::Hold> holds_;

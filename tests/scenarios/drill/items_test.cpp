@@ -98,8 +98,10 @@ TEST(ScoreItems, EachHasItsOwnValueUnitAndMoment) {
                                           {"tension", {"0.81", "N", 21.5}},
                                           {"lag_left", {"0.12", "mm", 3.25}},
                                           {"lag_right", {"0.46", "mm", 4.75}},
+                                          {"walls_crossed", {"1", "", 6.625}},
                                           {"pass_throughs", {"2", "", 7.875}}};
     world::Measures m = measured();
+    m.walls_crossed = 1, m.first_crossed_s = 6.625;
     expect_items(expected, text, m);
     m.broke_s = 12.625;
     expected["broke"] = {"yes", "", 12.625};
@@ -223,7 +225,8 @@ TEST(DrillKeys, LimitsAreThese) {
                   {bands + "gap_mm/items", 0, 100},
                   {bands + "lumen/items", 0, 10},
                   {bands + "leak_mL_min/items", 0, 1e6},
-                  {bands + "lapses/items", 0, 10}};
+                  {bands + "lapses/items", 0, 10},
+                  {bands + "walls_crossed/items", 0, 1000}};
     for (const auto& [pointer, low, high] : limits) {
         const nlohmann::json value = in_schema(pointer);
         EXPECT_EQ(value.at("minimum"), low) << pointer;

@@ -116,6 +116,7 @@ void expect_rest_of_tools_counts(const World& world) {
     expect("Tool::stopped", [](auto& tool) { tool.stopped = !tool.stopped; });
     expect("Tool::slipping", [](auto& tool) { tool.slipping = !tool.slipping; });
     expect("Tool::held_up", [](auto& tool) { tool.held_up = !tool.held_up; });
+    expect("Tool::crosses", [](auto& tool) { tool.crosses = 0; });
     expect("Grasp::count", [](auto& tool) { tool.grasps[0].anchor.clear(); });
     expect("WallGrip::vessel", [](auto& tool) { tool.walls[0].vessel = 1; });
     expect("WallGrip::at", [](auto& tool) { tool.walls[0].at.weights[2] += 1e-9; });
@@ -185,6 +186,8 @@ void expect_measures_count(const World& world) {
     expect("pass_throughs", [](auto& measures) { ++measures.pass_throughs; });
     expect("first_pass_through_s", [](auto& measures) { measures.first_pass_through_s += 1; });
     expect("broke_s", [](auto& measures) { measures.broke_s = 1; });
+    expect("walls_crossed", [](auto& measures) { ++measures.walls_crossed; });
+    expect("first_crossed_s", [](auto& measures) { measures.first_crossed_s = 1; });
 }
 
 void expect_rest_of_world_counts(const World& world) {

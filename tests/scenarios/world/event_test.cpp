@@ -19,7 +19,7 @@ TEST(EventTable, HasEachKindOnceInItsPlaceUnderANameOfItsOwn) {
         EXPECT_EQ(event_kind(words.name), words.kind);
         EXPECT_EQ(&words_of(words.kind), &words);
     }
-    EXPECT_EQ(static_cast<std::size_t>(EventKind::pass_through) + 1, names.size()) << "pass_through is the last";
+    EXPECT_EQ(static_cast<std::size_t>(EventKind::wall_crossed) + 1, names.size()) << "wall_crossed is the last";
     EXPECT_EQ(event_kind("Grasp"), std::nullopt);
     EXPECT_EQ(event_kind(""), std::nullopt);
 }
@@ -48,6 +48,7 @@ TEST(EventTable, KeepsTheNamesOfFiles) {
         {EventKind::broken, "break"},
         {EventKind::knot, "knot"},
         {EventKind::pass_through, "pass_through"},
+        {EventKind::wall_crossed, "wall_crossed"},
     };
     EXPECT_EQ(std::size(known), event_words.size());
     for (const auto& [kind, name] : known) EXPECT_EQ(words_of(kind).name, name);
