@@ -7,8 +7,10 @@
 #include "scenarios/drill/json_text.hpp"
 #include "scenarios/drill/keys.hpp"
 #include "scenarios/drill/materials.hpp"
+#include "scenarios/drill/motion.hpp"
 #include "scenarios/drill/names.hpp"
 #include "scenarios/drill/needles.hpp"
+#include "scenarios/drill/read_steps.hpp"
 #include "scenarios/drill/start_path.hpp"
 #include "scenarios/drill/start_walls.hpp"
 #include "scenarios/drill/tie.hpp"
@@ -61,6 +63,8 @@ class Reader {
             document_.fail("/bands/time_s",
                            "the drill ends before, at time_limit_s, which is " + shown(drill_.time_limit_s) + " s");
         check_cuts();
+        drill_.pace = filled_["pace"];
+        read_steps(document_, filled_["steps"], drill_);
         drill_.filled = laid_out(in_table_order(filled_, drill_schema()));
         return drill_;
     }
@@ -70,9 +74,20 @@ class Reader {
         std::error_code unreadable;  // as a name of more than 255 characters is
         if (!drill_.motion.empty() && !std::filesystem::is_regular_file(drill_.motion, unreadable))
             document_.fail("/motion", "no such file: " + drill_.motion.string());
+        check_references(document_, drill_, motion_s());
     }
 
   private:
+    // How long the drill's motion is [s]; read only where a step refers to it.
+    std::optional<double> motion_s() const {
+        const auto& steps = drill_.steps;
+        const bool is_asked = std::any_of(steps.begin(), steps.end(), [](auto& step) { return !!step.reference_s; });
+        if (!is_asked || drill_.motion.empty()) return {};
+        std::vector<std::string> names;
+        for (const auto& instrument : drill_.world.instruments) names.push_back(instrument.name);
+        return load_motion(drill_.motion, names).duration();
+    }
+
     void check_mesh(std::size_t i) const {
         const json& vessel = filled_["vessels"][i];
         if (!vessel.contains("mesh")) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenarios/drill/file.hpp"
+#include "scenarios/drill/steps.hpp"
 #include "scenarios/world/defs.hpp"
 
 namespace scenarios::drill {
@@ -43,14 +44,16 @@ struct Drill {
     world::WorldDef world;           ///< What is in the scene, in SI.
     std::vector<Goal> goals;         ///< What is to be tied; none: nothing is judged by a goal.
     Bands bands;                     ///< What is judged, in units that people read.
+    std::vector<Step> steps;         ///< The guidance through it, in order; none: there is none.
+    double pace = 1;                 ///< Seconds simulated in a second of the clock at most, above 0 to 1.
     double time_limit_s = 0;         ///< Simulated time at which the session ends [s], above 0.
     std::filesystem::path motion;    ///< Resolved beside the drill file; empty if none is named.
     std::string text;                ///< The file itself, byte for byte: what a recording keeps.
     std::string filled;              ///< The same as JSON with every default and table value filled in.
 };
 
-/// Reads a drill file. Throws FileError, also when a mesh named there is missing or has another hash, or the motion is
-/// missing.
+/// Reads a drill file. Throws FileError, also when a mesh named there is missing or has another hash, the motion is
+/// missing, or steps refer to a motion that cannot be read or ends before.
 Drill load_drill(const std::filesystem::path& file);
 
 /// Reads a drill from its text, as a recording keeps it; looks at no other file. `name` is what messages call it,

@@ -256,11 +256,15 @@ Schema effects() {
     return group("What is simulated beside contact and friction; what is off costs nothing.", std::move(keys));
 }
 
-Schema goal() {
-    Schema throws = count("Number of throws, or their notation after Tera and Aberg: \"2=1\".", 1, 20);
+Schema throws_asked(const std::string& about) {
+    Schema throws = count(about, 1, 20);
     throws.types = integer | text;
     throws.pattern = "^[1-9]([=x][1-9]){0,19}$";
     throws.pattern_words = "turns of each throw joined by '=' (reversed) or 'x' (same way), such as \"2=1\"";
+    return throws;
+}
+
+Schema goal() {
     return group(
         "What the thread must be at the end.",
         {{"tie",
@@ -268,7 +272,7 @@ Schema goal() {
                                                     "bowline", "clove hitch", "constrictor", "cow hitch", "prusik"}),
           true},
          {"around", name("Vessel that the thread goes around.")},
-         {"throws", throws},
+         {"throws", throws_asked("Number of throws, or their notation after Tera and Aberg: \"2=1\".")},
          {"times", count("In how many pieces of thread.", 1, 100), false, Goal{}.times},
          {"tails_mm", list("Shortest and longest tail allowed.", 2, 2, quantity("Length of a tail.", 0, 1000, "mm"))}});
 }
@@ -300,6 +304,47 @@ Schema bands() {
           json{{"max", 0}}}});
 }
 
+// Keyed by instrument, one at least.
+Schema some_instruments(const std::string& about, const Schema& one) {
+    Schema schema = per_instrument(about, one);
+    schema.types_words = "an instrument and what is asked of it";
+    schema.min_keys = 1;
+    return schema;
+}
+
+Schema done() {
+    std::vector<json> kinds;
+    for (const world::EventWords& words : world::event_words) kinds.push_back(words.name);
+    const Schema place = group("A place.", {{"place_mm", point("Where the tip is to come."), true},
+                                            {"within_mm", quantity("How near is near enough.", 0.1, 100, "mm"), true}});
+    const Schema event = group("Something that happens during the step.",
+                               {{"kind", choice("As in result.json.", kinds), true},
+                                {"what", name("Instrument or vessel that it happens to. Default: any.")}});
+    Schema schema =
+        group("When it is done: as soon as all of these hold at once.",
+              {{"held", some_instruments("What is in an instrument's jaws.",
+                                         choice("Maybe among other things.", {"thread", "needle", "wall", "nothing"}))},
+               {"near", some_instruments("Where an instrument's tip is.", place)},
+               {"event", event},
+               {"knot", choice("What surgeons call the knot that the thread has.",
+                               {"overhand", "double throw", "triple throw", "square", "granny", "surgeons", "slip",
+                                "figure-eight", "bowline", "clove hitch", "constrictor", "cow hitch", "prusik"})},
+               {"throws", throws_asked("Throws in the thread: so many or more, or exactly these.")},
+               {"bites", count("At least so many bites, each through one whole wall.", 1, 100)}});
+    schema.types_words = "one condition at least";
+    schema.min_keys = 1;
+    return schema;
+}
+
+Schema steps() {
+    const Schema seconds = quantity("A time of the drill's motion.", 0, 7200, "s");
+    return list(
+        "Guidance, in order.", 0, 100,
+        group("A step.", {{"text", words("One short sentence: what to do, and where."), true},
+                          {"done", done(), true},
+                          {"reference_s", list("From when to when the drill's motion does it.", 2, 2, seconds)}}));
+}
+
 }  // namespace
 
 const Schema& drill_schema() {
@@ -318,6 +363,12 @@ const Schema& drill_schema() {
                {"effects", effects(), false, json::object()},
                {"goals", list("At most one in this version.", 0, 1, goal()), false, json::array()},
                {"bands", bands(), false, json::object()},
+               {"steps", steps(), false, json::array()},
+               {"pace",
+                quantity("Seconds simulated in one of the clock, at most: a drill that computers play slower "
+                         "is slowed alike for all.",
+                         0.05, 1),
+                false, 1},
                {"time_limit_s", quantity("The drill ends then, and its time is missed.", 0.1, 7200, "s"), true},
                {"motion", words("Motion file (.csv) that plays the drill, path from the drill file.")}});
     return schema;

@@ -136,12 +136,29 @@ Found check_object(const json& value, const Schema& schema, const std::string& p
     for (const Key& key : schema.keys)
         if (key.required && !value.contains(key.name))
             return Problem{pointer, "the key \"" + key.name + "\" is missing"};
+    if (value.size() < schema.min_keys) return Problem{pointer, "is empty, expected " + schema.types_words};
     const auto given =
         std::count_if(schema.one_of.begin(), schema.one_of.end(), [&](auto& k) { return value.contains(k); });
     if (!schema.one_of.empty() && given != 1)
         return Problem{pointer, "expected exactly one of the keys \"" + schema.one_of[0] + "\" and \"" +
                                     schema.one_of[1] + "\", found " + std::to_string(given)};
     return {};
+}
+
+std::string choices_in_words(const Schema& schema) {
+    std::vector<std::string> allowed;
+    for (const json& choice : schema.choices) allowed.push_back(shown(choice));
+    return joined(allowed);
+}
+
+// Which of many choices a misspelt one is near to; of few that are listed anybody sees it.
+std::string meant_by(const json& value, const Schema& schema) {
+    constexpr std::size_t many = 6;
+    std::vector<std::string> known;
+    for (const json& choice : schema.choices)
+        if (choice.is_string()) known.push_back(choice);
+    const std::string close = value.is_string() && known.size() > many ? nearest(value, known) : "";
+    return close.empty() ? "" : ", did you mean \"" + close + "\"?";
 }
 
 Found check(const json& value, const Schema& schema, const std::string& pointer) {
@@ -151,9 +168,8 @@ Found check(const json& value, const Schema& schema, const std::string& pointer)
                                     ", found " + shown(value)};
     if (!schema.choices.empty()) {
         if (std::find(schema.choices.begin(), schema.choices.end(), value) != schema.choices.end()) return {};
-        std::vector<std::string> allowed;
-        for (const json& choice : schema.choices) allowed.push_back(shown(choice));
-        return Problem{pointer, schema.why_only + "expected " + joined(allowed) + ", found " + shown(value)};
+        return Problem{pointer, schema.why_only + "expected " + choices_in_words(schema) + ", found " + shown(value) +
+                                    meant_by(value, schema)};
     }
     if (types & number) return check_number(value.get<double>(), schema, pointer, value);
     if (types & text) return check_text(value.get_ref<const std::string&>(), schema, pointer);
@@ -257,6 +273,7 @@ nlohmann::ordered_json json_schema_of(const Schema& schema) {
         if (key.required) required.push_back(key.name);
     }
     if (!required.empty()) json_schema["required"] = required;
+    if (schema.min_keys > 0) json_schema["minProperties"] = schema.min_keys;
     for (const std::string& key : schema.one_of) json_schema["oneOf"].push_back({{"required", {key}}});
     if (schema.other_keys.empty())
         json_schema["additionalProperties"] = false;

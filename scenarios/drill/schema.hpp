@@ -32,6 +32,7 @@ struct Schema {
     std::vector<Key> keys = {};                ///< Objects: the keys that are known.
     std::vector<Schema> other_keys = {};       ///< Objects: one schema, that of the value at any other key, or none.
     std::vector<std::string> one_of = {};      ///< Objects: exactly one of these keys is given.
+    std::size_t min_keys = 0;                  ///< Objects: fewest keys.
 };
 
 /// One key of an object.

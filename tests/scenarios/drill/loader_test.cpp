@@ -193,7 +193,8 @@ TEST(DrillLoader, SaysWhatIsWrongWithAThread) {
          "a.json:7:5: error: /thread/length_mm: this key is given twice, remove one"},
         {with("\"6-0\"", "\"60\""),
          "a.json:5:13: error: /thread/size: expected \"3-0\", \"4-0\", \"5-0\", \"6-0\", \"7-0\", \"8-0\", \"9-0\" or "
-         "\"10-0\", found \"60\""},
+         "\"10-0\", found \"60\", did you mean "
+         "\"6-0\"?"},
     };
     expect_word_for_word(cases);
 }
@@ -380,7 +381,8 @@ TEST(DrillLoader, NamesWhatIsNoJson) {
 TEST(DrillLoader, SuggestsOnlyWhatIsNearAndStillMissing) {
     const std::string known =
         "known are \"$schema\", \"carrel_drill\", \"title\", \"description\", \"thread\", \"vessels\", "
-        "\"instruments\", \"effects\", \"goals\", \"bands\", \"time_limit_s\", \"motion\"";
+        "\"instruments\", \"effects\", \"goals\", \"bands\", \"steps\", \"pace\", "
+        "\"time_limit_s\", \"motion\"";
     const auto named = [&](const std::string& key) { return message(with("\"bands\"", "\"" + key + "\"")); };
     for (const char* far : {"boards", "beads", "brands2", "score", "limits"})
         EXPECT_EQ(named(far), "a.json:18:3: error: /" + std::string(far) + ": unknown key, " + known);

@@ -67,6 +67,7 @@ bool keyword_fits(const std::string& keyword, const json& limit, const json& sch
                std::all_of(limit.begin(), limit.end(), [&](const json& k) { return value.contains(k); });
     if (keyword == "properties" || keyword == "additionalProperties")
         return !value.is_object() || object_fits(schema, value);
+    if (keyword == "minProperties") return !value.is_object() || value.size() >= limit.get<std::size_t>();
     if (keyword == "oneOf")
         return std::count_if(limit.begin(), limit.end(), [&](const json& s) { return accepts(s, value); }) == 1;
     if (keyword == "description" || keyword == "default" || keyword == "title" || keyword == "$schema") return true;
@@ -113,6 +114,15 @@ json full_drill() {
                                 {"plastic_set", true},
                                 {"twist", false}});
     document["bands"].update({{"time_s", {0, 60}}, {"grasps", {{"right", {1, 6}}}}});
+    document["pace"] = 0.5;
+    document["steps"] = {{{"text", "Grasp the strand."},
+                          {"done",
+                           {{"held", {{"left", "thread"}}},
+                            {"near", {{"right", {{"place_mm", {0, 0, 9}}, {"within_mm", 3}}}}},
+                            {"event", {{"kind", "grasp"}, {"what", "left"}}},
+                            {"knot", "overhand"},
+                            {"throws", 1}}},
+                          {"reference_s", {0, 1}}}};
     return document;
 }
 
@@ -154,10 +164,29 @@ const json others[] = {nullptr,
 
 // Whether a message is of what only the loader can know.
 bool is_of_a_relation(const std::string& message) {
-    for (const char* words :
-         {"no vessel is named", "no instrument has", "named twice", "above", "less than half", "has no direction",
-          "needs a vessel", "has no throws", " for \"", "shorter than", "the path is", "from here to",
-          "corner before it", "moved by ftl", "an elastic thread bends", "nothing is known of"})
+    for (const char* words : {"no vessel is named",
+                              "no instrument has",
+                              "named twice",
+                              "above",
+                              "less than half",
+                              "has no direction",
+                              "needs a vessel",
+                              "has no throws",
+                              " for \"",
+                              "shorter than",
+                              "the path is",
+                              "from here to",
+                              "corner before it",
+                              "moved by ftl",
+                              "an elastic thread bends",
+                              "nothing is known of",
+                              "instrument is named",
+                              "outside of the scene",
+                              "not before",
+                              "expected no such key",
+                              "no needle",
+                              "no wall to hold",
+                              "expected \"knot\" in"})
         if (message.find(words) != std::string::npos) return true;
     return false;
 }
