@@ -8,6 +8,7 @@
 #include "app/play/picture.hpp"
 #include "app/report/report_html.hpp"
 #include "app/report/result_json.hpp"
+#include "scenarios/drill/order.hpp"
 
 namespace app {
 
@@ -65,7 +66,8 @@ std::string score_table(const scenarios::drill::Result& result) {
                         : result.passed  ? "passed"
                                          : "not passed") +
                        '\n';
-    for (const auto& item : result.items) {
+    for (const auto& placed : scenarios::drill::by_importance(result.items)) {
+        const auto& item = result.items[placed.item];
         char line[200];
         std::snprintf(line, sizeof line, "  %-4s %-38s %12s %-3s %-16s at %6.2f s\n",
                       item.band.empty() ? "-"

@@ -22,7 +22,7 @@ void expect_output(const std::filesystem::path& dir, std::initializer_list<std::
 void write_output(const std::filesystem::path& dir, const Session& session, const scenarios::drill::Result& result,
                   const std::vector<Snapshot>& frames);
 
-/// The score table for a terminal.
+/// The score table for a terminal, in the order of by_importance().
 std::string score_table(const scenarios::drill::Result& result);
 
 }  // namespace app

@@ -14,7 +14,9 @@ struct Moment {
 };
 
 /// report.html: one page for the resident and her teacher that needs nothing but itself: no scripts, no requests.
-/// Verdict, scores, key moments, timeline, the thread's own figures. Light, dark and on paper; nothing by colour alone.
+/// Verdict; what to work on, each item with the picture nearest to its moment; then, folded, all scores in the order of
+/// drill::by_importance(), key moments, timeline, the thread's own figures. Light, dark and on paper; nothing by colour
+/// alone.
 /// All text that came from files is escaped.
 std::string report_html(const scenarios::drill::Result& result, const std::vector<Moment>& moments);
 

@@ -13,7 +13,12 @@ inline constexpr const char* style = R"css(
 body { margin: 0 auto; padding: 2rem 1.5rem; max-width: 64rem; background: var(--paper); color: var(--ink);
   font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 .6rem; }
-h2 { font-size: 1.15rem; margin: 2.2rem 0 .6rem; }
+h2 { font-size: 1.15rem; margin: 2.2rem 0 .6rem; } h3 { font-size: 1rem; margin: 0; }
+details { margin: 1.2rem 0 0; } summary { cursor: pointer; } summary h2 { display: inline; }
+section.missed { display: flex; flex-wrap: wrap; gap: 1rem; padding: .8rem 0; border-top: 1px solid var(--rule);
+  break-inside: avoid; }
+section.missed > div { flex: 1 1 20rem; } section.missed p { margin: .3rem 0 0; }
+section.missed h3 { color: var(--bad); } section.missed figure { flex: 0 1 22rem; }
 .verdict { display: inline-block; margin: 0; padding: .3rem .9rem; border: 2px solid; border-radius: .4rem;
   font-size: 1.25rem; font-weight: 700; }
 .pass { color: var(--good); } .fail { color: var(--bad); }
@@ -45,6 +50,7 @@ svg .held { fill: var(--curve); } svg .event { fill: var(--ink); }
     --bad: #b34700; --curve: #0b5cad; --fill: #cfe3f6; --shade: #ffffff; }
   @page { margin: 15mm; }
   body { padding: 0; max-width: none; font-size: 10.5pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  details::details-content { content-visibility: visible; display: block; }
   .moments { grid-template-columns: repeat(3, 1fr); } h2 { break-after: avoid; }
   tr, svg { break-inside: avoid; } .scroll { overflow: visible; } svg, table { min-width: 0; }
 }

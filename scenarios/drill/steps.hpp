@@ -33,13 +33,13 @@ struct EventCondition {
 
 /// When a step is done: as soon as all that is asked for holds at once. At least one thing is asked for.
 struct Done {
-    std::vector<HeldCondition> held;      ///< Of different instruments.
-    std::vector<NearCondition> near;      ///< Of different instruments.
-    std::optional<EventCondition> event;  ///< None: nothing need happen.
-    std::string knot;                     ///< As sim::knot::Name::surgical has it; empty: any.
-    std::string notation;                 ///< Throws in Tera and Aberg's notation; empty: any.
-    int throws = 0;                       ///< Least number of throws in the thread.
-    int bites = 0;                        ///< Least number of bites through one whole wall each.
+    std::vector<HeldCondition> held = {};      ///< Of different instruments.
+    std::vector<NearCondition> near = {};      ///< Of different instruments.
+    std::optional<EventCondition> event = {};  ///< None: nothing need happen.
+    std::string knot = {};                     ///< As sim::knot::Name::surgical has it; empty: any.
+    std::string notation = {};                 ///< Throws in Tera and Aberg's notation; empty: any.
+    int throws = 0;                            ///< Least number of throws in the thread.
+    int bites = 0;                             ///< Least number of bites through one whole wall each.
 
     /// Whether something is asked for that work leaves behind, a knot or a bite: hands alone come and go.
     bool is_milestone() const { return !knot.empty() || !notation.empty() || throws > 0 || bites > 0; }

@@ -24,3 +24,14 @@ TEST(ScoreTable, HasALineForEachItem) {
     result.finished = false;
     EXPECT_TRUE(app::score_table(result).starts_with("Square knot: broken off, not finished\n"));
 }
+
+// What to work on stands first, as in the report and the window.
+TEST(ScoreTable, IsInTheOrderOfWhatMatters) {
+    scenarios::drill::Result result;
+    result.items = {{"path", "Path", "402", "mm", "", true, 131, ""},
+                    {"tail", "Tail", "6.1", "mm", "3 to 8", true, 24, ""},
+                    {"time", "Time", "131.0", "s", "at most 120", false, 131, "It took too long."}};
+    const std::string table = app::score_table(result);
+    EXPECT_LT(table.find("MISS Time"), table.find("ok   Tail"));
+    EXPECT_LT(table.find("ok   Tail"), table.find("-    Path"));
+}

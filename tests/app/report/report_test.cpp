@@ -265,3 +265,31 @@ TEST(Report, ThingsStandAtTheirMoments) {
     EXPECT_TRUE(has(html, "<title>3.01 to 24.00 s: thread</title>"));
     EXPECT_TRUE(has(html, "<text x=\"713.6\"")) << "1.87 N at 17 of 24 s, and 4 aside";
 }
+
+// The page opens on what to do better: misses first, with their pictures, then all else folded away.
+TEST(Report, BeginsWithWhatToWorkOn) {
+    Result r = tied();
+    r.items[1].value = "3.1";
+    const std::string html =
+        report_html(r, {{9, "Overhand", {1, 2, 3}}, {22, "Granny", {4, 5, 6}}, {24, "The end", {}}});
+    const auto place = [&](const std::string& part) {
+        EXPECT_TRUE(has(html, part)) << part;
+        return html.find(part);
+    };
+    const std::size_t knot = place("<h3>✗ Knot</h3>\n<p><strong>granny</strong>, asked: square. At 21.5 s."),
+                      time =
+                          place("<h3>✗ Time</h3>\n<p><strong>131.0 s</strong>, asked: at most 120 s: 11 s too much."),
+                      picture = place("src=\"data:image/png;base64,BAUG\""), fold = place("<details>");
+    EXPECT_LT(place("Not passed"), knot);
+    EXPECT_LT(knot, picture) << "that of 22 s is nearest to 21.5 s";
+    EXPECT_LT(picture, time);
+    EXPECT_LT(time, place("close to the edge: Shorter tail 3.1 mm (3 to 8 mm)."));
+    EXPECT_LT(place("close to the edge"), fold);
+    EXPECT_LT(fold, place("<th scope=\"row\">Shorter tail")) << "what passed is folded away";
+    EXPECT_LT(place("<th scope=\"row\">Shorter tail"), place("<th scope=\"row\">Path length, left tool"));
+    EXPECT_EQ(html.find("BAUG"), html.rfind("BAUG")) << "a picture is in the page once, however large";
+    EXPECT_TRUE(has(html, "Granny (picture above)"));
+    EXPECT_FALSE(has(html, "<details open"));
+    for (auto& item : r.items) item.passed = true, item.value = "5";
+    EXPECT_FALSE(has(report_html(r, {}), "What to work on"));
+}
