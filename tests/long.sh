@@ -39,6 +39,7 @@ step hashes-to-60-s env CARREL_LONG_HASHES=1 ctest --test-dir build -j"$jobs" --
 step whole-copies ctest --test-dir build -C long --output-on-failure -R copies_of_whole_drills
 step each-file-alone each_file_alone
 step old-processor old_processor
+step guidance ctest --test-dir build -C long --output-on-failure -R guidance_of_shaken_hands
 step kills kills
 step clang-tidy tools/lint --tidy
 step elastic-ties build/carrel bench elastic-ties

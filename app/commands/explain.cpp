@@ -45,6 +45,16 @@ std::string bands_left_out(const scenarios::drill::Drill& drill) {
     return free;
 }
 
+void print_steps(const scenarios::drill::Drill& drill) {
+    if (drill.steps.empty()) return;
+    std::cout << "\nGuidance, and when each step is done:\n";
+    const auto filled = nlohmann::json::parse(drill.filled);
+    int number = 0;
+    for (const auto& step : filled["steps"])
+        std::cout << "  " << ++number << ". " << step["text"].get<std::string>() << "\n     " << step["done"].dump()
+                  << '\n';
+}
+
 void print(const scenarios::drill::Drill& drill) {
     std::cout << drill.title << "\n\n";
     for (const auto& effect : effects_of(drill)) {
@@ -54,6 +64,7 @@ void print(const scenarios::drill::Drill& drill) {
             std::cout << effect.predicted_of << ": " << shown(effect.predicted) << "\n    ";
         std::cout << effect.cost << '\n';
     }
+    print_steps(drill);
     std::cout << "\nThe drill with every default filled in:\n" << drill.filled << '\n';
     if (const std::string free = bands_left_out(drill); !free.empty())
         std::cout << "\nBands that it does not have, so that these are shown and not judged: " << free << ".\n";

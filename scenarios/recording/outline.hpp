@@ -14,6 +14,9 @@ struct Outline {
     double duration_s = 0;                 ///< Simulated time that was recorded [s].
     std::int64_t recorded_at = 0;          ///< When the file was last written [s since 1970, UTC].
     bool finished = false;                 ///< The session ended by itself.
+    bool exam = false;                     ///< It was an exam.
+    bool assisted = false;                 ///< An assist was on for a time, or it was played slower than its pace.
+    bool comparable = true;                ///< As is_comparable() says of its pace.
     std::vector<drill::ScoreItem> scores;  ///< The last that were set.
 };
 

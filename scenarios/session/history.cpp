@@ -36,6 +36,9 @@ class Reader {
                         .recorded_at = outline.recorded_at,
                         .duration_s = outline.duration_s,
                         .finished = outline.finished,
+                        .exam = outline.exam,
+                        .assisted = outline.assisted,
+                        .comparable = outline.comparable,
                         .items = std::move(outline.scores)};
         attempt.passed = attempt.finished && !attempt.items.empty() && attempt.missed() == 0;
         return attempt;

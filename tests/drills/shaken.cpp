@@ -4,42 +4,14 @@
 //   shaken DRILL NAME FIRST_SEED LAST_SEED
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 
-#include "scenarios/drill/motion.hpp"
 #include "scenarios/session/scene.hpp"
+#include "tests/drills/shake.hpp"
 
 namespace {
 
 using instruments::ToolInput;
 using scenarios::drill::Motion;
-using sim::geometry::Quat;
-using sim::geometry::Vec3;
-
-constexpr double shake_m = 0.05e-3, shake_rad = 0.5 * 3.14159265358979 / 180;
-
-// Evenly in the ball of radius 1, by rejection: the same numbers with every standard library.
-Vec3 in_ball(std::mt19937& random) {
-    const auto number = [&] { return 2.0 * random() / 4294967295.0 - 1; };
-    for (;;) {
-        const double x = number(), y = number(), z = number();
-        if (x * x + y * y + z * z <= 1) return {x, y, z};
-    }
-}
-
-Motion shaken(const Motion& motion, unsigned seed, double pace) {
-    std::mt19937 random(seed);
-    std::vector<std::vector<scenarios::drill::MotionKey>> keys(motion.keys().begin(), motion.keys().end());
-    for (auto& tool : keys)
-        for (auto& key : tool) {
-            key.t_s /= pace;
-            key.input.pose.position += shake_m * in_ball(random);
-            const Vec3 turn = shake_rad * in_ball(random);
-            key.input.pose.rotation =
-                (Quat(1, turn.x() / 2, turn.y() / 2, turn.z() / 2) * key.input.pose.rotation).normalized();
-        }
-    return Motion(keys);
-}
 
 struct Outcome {
     bool right;
@@ -81,7 +53,7 @@ int main(int argc, char** argv) {
     for (unsigned seed = static_cast<unsigned>(std::atoi(argv[3])); seed <= static_cast<unsigned>(std::atoi(argv[4]));
          ++seed)
         for (const double pace : {0.5, 1.0, 2.0}) {
-            const Outcome outcome = play(drill, shaken(motion, seed, pace), argv[2], seed, pace);
+            const Outcome outcome = play(drill, shake::shaken(motion, seed, pace), argv[2], seed, pace);
             ++runs;
             right += outcome.right;
             pass_throughs += outcome.pass_throughs;

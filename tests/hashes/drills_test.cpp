@@ -111,7 +111,7 @@ std::set<std::uint64_t> moments(std::mt19937& random, std::size_t count, std::ui
 
 class DrillHashes : public testing::TestWithParam<fs::path> {};
 
-// Fifty-five moments of all drills: of those that take minutes within their first 20 s, of the others anywhere. Most
+// Sixty-four moments of all drills: of those that take minutes within their first 20 s, of the others anywhere. Most
 // are of the drills whose ticks cost least.
 TEST_P(DrillHashes, AreThoseOfTheTableAndOfCopies) {
     const Script script(GetParam());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -48,6 +49,13 @@ bool object_fits(const json& schema, const json& value) {
     return true;
 }
 
+// Compiled once: that takes longer than all else here.
+const std::regex& regex_of(const std::string& pattern) {
+    static std::map<std::string, std::regex> known;
+    const auto found = known.find(pattern);
+    return found != known.end() ? found->second : known.emplace(pattern, pattern).first->second;
+}
+
 bool keyword_fits(const std::string& keyword, const json& limit, const json& schema, const json& value) {
     if (keyword == "type") return type_fits(limit, value);
     if (keyword == "enum") return std::find(limit.begin(), limit.end(), value) != limit.end();
@@ -56,7 +64,7 @@ bool keyword_fits(const std::string& keyword, const json& limit, const json& sch
     if (keyword == "minLength") return !value.is_string() || length(value) >= limit.get<std::size_t>();
     if (keyword == "maxLength") return !value.is_string() || length(value) <= limit.get<std::size_t>();
     if (keyword == "pattern")
-        return !value.is_string() || std::regex_search(value.get<std::string>(), std::regex(limit.get<std::string>()));
+        return !value.is_string() || std::regex_search(value.get<std::string>(), regex_of(limit.get<std::string>()));
     if (keyword == "minItems") return !value.is_array() || value.size() >= limit.get<std::size_t>();
     if (keyword == "maxItems") return !value.is_array() || value.size() <= limit.get<std::size_t>();
     if (keyword == "items")
