@@ -9,7 +9,6 @@ namespace app::hands {
 namespace {
 
 constexpr std::array scales{0.25, 1.0 / 3, 0.5, 1.0, 2.0};
-constexpr double shut_below = 0.25;  // jaws whose goal is below this count as shut, as the world has it
 
 int named(std::span<const scenarios::world::InstrumentDef> instruments, const std::string& name) {
     for (std::size_t i = 0; i < instruments.size(); ++i)
@@ -23,7 +22,11 @@ Hands::Hands(const Settings& settings, std::span<const scenarios::world::Instrum
              std::span<const ToolInput> start, Mark mark)
     : settings_(settings), mark_(std::move(mark)) {
     assert(!start.empty() && start.size() == instruments.size() && "an instrument, and a place for each");
-    for (const ToolInput& at : start) led_.push_back({at, at.jaw, at.jaw < shut_below ? Led().opening : at.jaw});
+    for (const ToolInput& at : start) {
+        Helped& tool = tools_.emplace_back();
+        tool.at = at, tool.jaw_goal = at.jaw;
+        if (!tool.shuts()) tool.opening = at.jaw;
+    }
     const int count = static_cast<int>(start.size());
     m_ = named(instruments, settings.left_handed ? "left" : "right");
     if (m_ < 0) m_ = settings.left_handed ? 0 : count - 1;
@@ -34,13 +37,27 @@ Hands::Hands(const Settings& settings, std::span<const scenarios::world::Instrum
 }
 
 void Hands::tick(const World& world, const Taken& taken, std::span<ToolInput> inputs) {
-    assert(inputs.size() == led_.size() && "an input for each instrument");
+    assert(inputs.size() == tools_.size() && "an input for each instrument");
+    world_ = &world, sight_ = taken.sight, seconds_ = world.def().tick_s;
+    look_round();
     for (const Event& event : taken.events) take(event);
-    const double seconds = world.def().tick_s;
-    move(seconds, taken.sight);
-    move_jaws(seconds);
-    for (std::size_t i = 0; i < led_.size(); ++i) inputs[i] = led_[i].at;
-    publish(world);
+    move();
+    help();
+    move_jaws();
+    answer(inputs);
+    publish();
+}
+
+// What each jaw would take, and at first how instruments are turned in the picture.
+void Hands::look_round() {
+    for (int i = 0; i < static_cast<int>(tools_.size()); ++i) {
+        tool(i).near.reset();
+        if (tool(i).is_open()) tool(i).near = nearest_takeable(*world_, i, bite_of(tool(i).at.pose), Wrist::reach);
+        if (begun_) continue;
+        tool(i).wrist.keep(tool(i).at.pose.rotation, sight_);
+        tool(i).steady.begin(tool(i).at.pose);
+    }
+    begun_ = true;
 }
 
 void Hands::take(const Event& event) {
@@ -54,15 +71,18 @@ void Hands::take(const Motion& motion) {
 
 void Hands::take(const Wheel& wheel) {
     if (free_) return;
+    if (pulls_) return pull_.change_speed(wheel.notches);
     if (wheel.with_shift) {
-        Led& tool = led(m_);
-        tool.jaw_goal = std::clamp(tool.jaw_goal + 0.1 * wheel.notches, 0.0, 1.0);
-        if (tool.jaw_goal >= shut_below) tool.opening = tool.jaw_goal;
+        Led& led = tool(m_);
+        led.jaw_goal = std::clamp(led.jaw_goal + 0.1 * wheel.notches, 0.0, 1.0);
+        if (!led.shuts()) led.opening = led.jaw_goal;
         return;
     }
+    using enum Mouse::WheelTo;
     // Fine, a notch of depth is a fifth: by a tenth of a millimetre.
-    const double fine = fine_ && !m_turns_ ? 0.2 : share();
-    mouse_.add_wheel(wheel.notches, m_turns_ ? Mouse::WheelTo::roll : Mouse::WheelTo::depth, fine);
+    if (m_turns_) return mouse_.add_wheel(wheel.notches, roll, share());
+    if (turns_needle_) return mouse_.add_wheel(wheel.notches, needle, share());
+    mouse_.add_wheel(wheel.notches, depth, fine_ ? 0.2 : 1);
 }
 
 void Hands::take(const Click& click) {
@@ -85,25 +105,45 @@ void Hands::take(const Press& press) {
     keys_.press(press);
     if (press.action == fine) return hold(fine_, press.down);
     if (press.action == k_turn) return hold(k_turns_, press.down);
-    if (press.action == pull_both) return hold(pulls_, press.down);
     if (press.action == k_jaw) return press_jaw(k_, press.down);
-    if (!press.down) return;
-    if (press.action == swap) choose(k_);
-    if (press.action >= instrument_1 && press.action <= instrument_5)
-        choose(static_cast<int>(press.action) - static_cast<int>(instrument_1));
-    if (press.action == scale_down) step_scale(-1);
-    if (press.action == scale_up) step_scale(1);
-    if (press.action == free_pointer) {
+    if (press.action == pull_both && has(Assist::pull_both) && k_ >= 0) {
+        pull_.begin();
+        return hold(pulls_, press.down);
+    }
+    if (press.down) begin(press.action);
+}
+
+void Hands::begin(Action action) {
+    using enum Action;
+    if (action == swap) choose(k_);
+    if (action >= instrument_1 && action <= instrument_5)
+        choose(static_cast<int>(action) - static_cast<int>(instrument_1));
+    if (action == scale_down) step_scale(-1);
+    if (action == scale_up) step_scale(1);
+    if (action == needle && has(Assist::needle_wheel)) turns_needle_ = !turns_needle_;
+    if (action == grasp && has(Assist::snap)) shut(tool(m_));
+    if (action == retake && has(Assist::retake) && !retake_.is_at_work())
+        retake_.begin(*world_, retakes_ = m_, tool(m_));
+    if (action == free_pointer) {
         free_ = !free_;
         m_turns_ = false;
         mouse_.drop();
     }
 }
 
+// What an assist leaves is where the hand goes on: nothing jumps as it is switched.
 void Hands::take(const Switch& change) {
-    if (settings_.is_exam || settings_.assists.has(change.assist) == change.on) return;
+    if (settings_.is_exam || has(change.assist) == change.on) return;
     settings_.assists.set(change.assist, change.on);
     if (mark_) mark_("assist", std::string(name_of(change.assist)) + (change.on ? " on" : " off"));
+    if (change.assist == Assist::pull_both) pulls_ = false;
+    if (change.assist == Assist::needle_wheel) turns_needle_ = false;
+    for (Helped& led : tools_) {
+        if (change.assist == Assist::wrist) led.wrist.keep(led.at.pose.rotation, sight_);
+        if (change.assist == Assist::snap) led.waits = false;
+        if (change.assist == Assist::steady && change.on) led.steady.begin(led.at.pose);
+        if (change.assist == Assist::steady && !change.on) led.at.pose = led.steady.now();
+    }
 }
 
 void Hands::take(const LetGo&) {
@@ -114,7 +154,7 @@ void Hands::take(const LetGo&) {
 
 // The one that has the instrument gets the mouse hand's in its place.
 void Hands::choose(int instrument) {
-    if (instrument < 0 || instrument >= static_cast<int>(led_.size()) || instrument == m_) return;
+    if (instrument < 0 || instrument >= static_cast<int>(tools_.size()) || instrument == m_) return;
     if (instrument == k_) k_ = m_;
     m_ = instrument;
     mouse_.drop();
@@ -128,36 +168,79 @@ void Hands::step_scale(int by) {
 
 void Hands::press_jaw(int instrument, bool down) {
     if (instrument < 0 || (!down && !settings_.holds_jaw)) return;
-    Led& tool = led(instrument);
-    const bool shuts = settings_.holds_jaw ? down : tool.jaw_goal >= shut_below;
-    tool.jaw_goal = shuts ? 0 : tool.opening;
+    Helped& led = tool(instrument);
+    if (settings_.holds_jaw ? down : !led.shuts())
+        shut(led);
+    else
+        led.jaw_goal = led.opening;
 }
 
-void Hands::move(double seconds, const Sight& sight) {
-    Pose& mouse_tool = led(m_).at.pose;
-    const Mouse::Out out = mouse_.next(seconds, settings_, sight, mouse_tool.position);
-    mouse_tool = moved(mouse_tool, out.step, sight, settings_.scale);
-    const Step step = keys_.next(seconds, k_turns_, share());
-    if (k_ >= 0) led(k_).at.pose = moved(led(k_).at.pose, step, sight, settings_.scale);
+void Hands::shut(Helped& tool) {
+    tool.jaw_goal = 0;
+    const bool is_lit = tool.near && tool.near->distance <= Snap::reach;
+    if (has(Assist::snap) && is_lit) tool.snap.begin(tool);
+}
+
+void Hands::move() {
+    Helped& m = tool(m_);
+    const Mouse::Out out = mouse_.next(seconds_, settings_, sight_, m.at.pose.position);
+    m.at.pose = turned_about_needle(*world_, m_, moved(m.at.pose, out.step, sight_, settings_.scale), out.needle);
+    m.wrist.turn(out.step, sight_);
+    if (out.needle != 0) m.wrist.keep(m.at.pose.rotation, sight_);
+    if (k_ < 0) return;
+    if (pulls_) {
+        constexpr double steps_a_second = 4;
+        return pull_.change_speed(steps_a_second * seconds_ * keys_.up());
+    }
+    const Step step = keys_.next(seconds_, k_turns_, share());
+    tool(k_).at.pose = moved(tool(k_).at.pose, step, sight_, settings_.scale);
+    tool(k_).wrist.turn(step, sight_);
+}
+
+void Hands::help() {
+    if (pulls_) pull_.tick(*world_, m_, k_, tool(m_), tool(k_), settings_.pull_stop_N, seconds_);
+    if (retake_.is_at_work()) retake_.tick(*world_, retakes_, tool(retakes_), seconds_);
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        Helped& led = tools_[i];
+        const auto& shape = world_->tools()[i].shape;
+        led.snap.tick(led, shape, led.near, seconds_);
+        if (has(Assist::wrist)) led.wrist.tick(led, led.near, sight_, seconds_);
+    }
 }
 
 // From open to shut in 0.3 s, as fingers close forceps.
-void Hands::move_jaws(double seconds) {
-    const double most = seconds / 0.3;
-    for (Led& tool : led_)
-        if (tool.at.jaw != tool.jaw_goal) tool.at.jaw += std::clamp(tool.jaw_goal - tool.at.jaw, -most, most);
+void Hands::move_jaws() {
+    const double most = seconds_ / 0.3;
+    for (Led& led : tools_)
+        if (led.at.jaw != led.jaw_goal && !led.waits) led.at.jaw += std::clamp(led.jaw_goal - led.at.jaw, -most, most);
 }
 
-void Hands::publish(const World&) {
+void Hands::answer(std::span<ToolInput> inputs) {
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        inputs[i] = tools_[i].at;
+        if (has(Assist::steady))
+            inputs[i].pose = tools_[i].steady.next(tools_[i].at.pose, seconds_, settings_.steady_s);
+    }
+}
+
+void Hands::publish() {
     const std::scoped_lock lock(mutex_);
+    const std::size_t count = tools_.size();
     view_.mouse = m_, view_.keys = k_;
     view_.is_free = free_, view_.is_fine = fine_, view_.scale = settings_.scale;
     view_.assists = settings_.assists;
     view_.pulls = pulls_, view_.turns_needle = turns_needle_;
-    view_.pace = settings_.assists.has(Assist::slow_motion) ? 0.5 : 1;
-    view_.jaw.resize(led_.size()), view_.closing.resize(led_.size()), view_.gap.assign(led_.size(), -1);
-    for (std::size_t i = 0; i < led_.size(); ++i)
-        view_.jaw[i] = led_[i].at.jaw, view_.closing[i] = led_[i].jaw_goal < led_[i].at.jaw;
+    view_.pace = has(Assist::slow_motion) ? 0.5 : 1;
+    view_.jaw.resize(count), view_.closing.resize(count), view_.gap.assign(count, -1);
+    const double radius = world_->def().thread.diameter / 2;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Helped& led = tools_[i];
+        view_.jaw[i] = led.at.jaw, view_.closing[i] = led.shuts() && led.is_open();
+        if (led.near && led.is_open()) view_.gap[i] = std::max(0.0, led.near->distance - radius);
+    }
+    const Helped& m = tool(m_);
+    const bool is_lit = has(Assist::snap) && m.is_open() && m.near && m.near->distance <= Snap::reach;
+    view_.lit = is_lit ? std::optional(m.near->at) : std::nullopt;
     view_.stamp_s = stamp_s_;
 }
 

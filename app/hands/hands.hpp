@@ -5,37 +5,33 @@
 #include <string>
 #include <vector>
 
+#include "app/hands/assist_needle.hpp"
+#include "app/hands/assist_pull.hpp"
+#include "app/hands/assist_retake.hpp"
+#include "app/hands/assist_snap.hpp"
+#include "app/hands/assist_steady.hpp"
+#include "app/hands/assist_wrist.hpp"
 #include "app/hands/mouse.hpp"
 #include "app/hands/rate_keys.hpp"
-#include "scenarios/world/world.hpp"
 
 namespace app::hands {
 
-using scenarios::world::World;
-
 /// What a person should see of her hands; plain values.
 struct HandsView {
-    int mouse = -1;             ///< The instrument that the mouse leads; none: -1.
-    int keys = -1;              ///< The instrument that the keys lead; none: -1.
-    bool is_free = false;       ///< The pointer is free: the mouse leads nothing.
-    bool is_fine = false;       ///< Moves and turns are a quarter.
-    double scale = 1;           ///< Of moves.
-    Assists assists;            ///< That are on.
-    bool pulls = false;         ///< "Pull both" is at work.
-    bool turns_needle = false;  ///< The wheel turns the needle.
-    double pace = 1;            ///< That hands would have, at most: less by "slow motion".
-    std::vector<double> jaw;    ///< For each instrument, how far it is asked to be open, 0 to 1.
-    std::vector<bool> closing;  ///< For each instrument, whether it is asked to shut.
-    std::vector<double> gap;    ///< For each, from its open jaws to what they would take [m]; -1: beyond 5 mm.
-    std::optional<Vec3> lit;    ///< What the mouse hand's jaws would take [m].
-    double stamp_s = 0;         ///< The newest event that has been used.
-};
-
-/// An instrument as its hand leads it.
-struct Led {
-    ToolInput at;          ///< Where it is asked to be.
-    double jaw_goal = 1;   ///< Where its jaws are going, 0 to 1.
-    double opening = 0.7;  ///< How far they open next, 0 to 1.
+    int mouse = -1;                 ///< The instrument that the mouse leads; none: -1.
+    int keys = -1;                  ///< The instrument that the keys lead; none: -1.
+    bool is_free = false;           ///< The pointer is free: the mouse leads nothing.
+    bool is_fine = false;           ///< Moves and turns are a quarter.
+    double scale = 1;               ///< Of moves.
+    Assists assists;                ///< That are on.
+    bool pulls = false;             ///< "Pull both" is at work.
+    bool turns_needle = false;      ///< The wheel turns the needle.
+    double pace = 1;                ///< That hands would have, at most: less by "slow motion".
+    std::vector<double> jaw;        ///< For each instrument, how far it is asked to be open, 0 to 1.
+    std::vector<bool> closing;      ///< For each instrument, whether it is asked to shut.
+    std::vector<double> gap;        ///< For each, from its open jaws to what they would take [m]; -1: beyond 5 mm.
+    std::optional<Vec3> lit;        ///< What the mouse hand's jaws would take [m].
+    std::optional<double> stamp_s;  ///< Of the newest event that has been used [s]; none: there was none.
 };
 
 /// From what devices do to what instruments are asked for, once a tick. Hands belong to the tick thread but for view().
@@ -54,10 +50,19 @@ class Hands {
     void tick(const World& world, const Taken& taken, std::span<ToolInput> inputs);
     /// As the last tick left them; for any thread.
     HandsView view() const;
-    /// Stamp of the newest event that has been used [s]; of the tick thread.
-    double stamp_s() const { return stamp_s_; }
+    /// Stamp of the newest event that has been used [s], if there was one; of the tick thread.
+    std::optional<double> stamp_s() const { return stamp_s_; }
 
   private:
+    /// An instrument, and the help that its hand has.
+    struct Helped : Led {
+        Wrist wrist;
+        Snap snap;
+        Steady steady;
+        std::optional<Takeable> near;  // what its jaws would take, within 5 mm
+    };
+
+    void look_round();
     void take(const Event& event);
     void take(const Motion& motion);
     void take(const Wheel& wheel);
@@ -65,24 +70,36 @@ class Hands {
     void take(const Press& press);
     void take(const Switch& change);
     void take(const LetGo&);
+    void begin(Action action);
     void choose(int instrument);
     void step_scale(int by);
     void press_jaw(int instrument, bool down);
+    void shut(Helped& tool);
     void hold(bool& held, bool down) const;
-    void move(double seconds, const Sight& sight);
-    void move_jaws(double seconds);
-    void publish(const World& world);
+    void move();
+    void help();
+    void move_jaws();
+    void answer(std::span<ToolInput> inputs);
+    void publish();
+    bool has(Assist assist) const { return settings_.assists.has(assist); }
     double share() const { return fine_ ? 0.25 : 1; }
-    Led& led(int instrument) { return led_[static_cast<std::size_t>(instrument)]; }
+    Helped& tool(int instrument) { return tools_[static_cast<std::size_t>(instrument)]; }
 
     Settings settings_;
     Mark mark_;
-    std::vector<Led> led_;
+    std::vector<Helped> tools_;
     int m_ = -1, k_ = -1;  // instruments of the mouse hand and of the key hand
     Mouse mouse_;
     RateKeys keys_;
-    bool free_ = false, fine_ = false, k_turns_ = false, m_turns_ = false, pulls_ = false, turns_needle_ = false;
-    double stamp_s_ = 0;
+    PullBoth pull_;
+    Retake retake_;
+    int retakes_ = -1;              // the instrument that does
+    const World* world_ = nullptr;  // during a tick
+    Sight sight_;
+    double seconds_ = 0;
+    bool begun_ = false, free_ = false, fine_ = false, k_turns_ = false, m_turns_ = false;
+    bool pulls_ = false, turns_needle_ = false;
+    std::optional<double> stamp_s_;
     mutable std::mutex mutex_;
     HandsView view_;
 };

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/geometry/portable_math.hpp"
+#include "app/hands/led.hpp"
 
 namespace app::hands {
 
@@ -16,14 +16,6 @@ Sight look_at(const Vec3& eye, const Vec3& target, const Vec3& up, double field_
     Eigen::Matrix3d axes;
     axes << right, back.cross(right), back;
     return {eye, Quat(axes), height / (2 * std::tan(field_of_view / 2))};
-}
-
-static Quat rotation_of(const Vec3& turn) {
-    const double angle = turn.norm();
-    if (angle == 0) return Quat::Identity();
-    const auto [sin, cos] = sim::geometry::portable_sin_cos(angle / 2);
-    const Vec3 part = sin / angle * turn;
-    return {cos, part.x(), part.y(), part.z()};
 }
 
 Pose moved(const Pose& tool, const Step& step, const Sight& sight, double scale) {
