@@ -16,31 +16,45 @@ namespace {
 
 /// A scene that stays as it is, and where it is.
 struct Fixed {
-    Fixed(Gl& gl, const Scene& scene) : buffers(gl), parts(scene.parts) { buffers.fill(scene.surface, GL_STATIC_DRAW); }
+    Fixed(Gl& gl, const Scene& scene) : buffers(gl), parts(scene.parts), count(scene.surface.indices.size()) {
+        buffers.fill(scene.surface);
+    }
     Buffers buffers;
     std::vector<Part> parts;
+    std::size_t count;
 };
 
 /// Depth as the key light sees it.
 struct Shadow : Target {
-    Shadow(Gl& gl, int size) : Target(gl, size, size, false) {
+    Shadow(Gl& gl, int size, int filter) : Target(gl, size, size, false) {
         gl.BindTexture(GL_TEXTURE_2D, depth);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+        constexpr float lit[] = {1, 1, 1, 1};  // beyond what it covers
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+        gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
     }
 };
 
 /// What a look is drawn with.
 struct Material {
     Vec3 base;  ///< Share of red, green and blue light sent back.
-    float gloss, sharpness, metal, mottle;
+    float gloss, sharpness, wrap, vignette;
 };
-const Material materials[] = {{{0.60, 0.085, 0.075}, 0.40f, 45, 0, 1},  // flesh
-                              {{0.02, 0.07, 0.52}, 0.55f, 50, 0, 0},    // suture
-                              {{0.80, 0.82, 0.84}, 0.50f, 90, 1, 0}};   // steel
+const Material materials[] = {{{0.60, 0.085, 0.075}, 0.40f, 45, 0.25f, 0},  // flesh
+                              {{0.02, 0.07, 0.52}, 0.55f, 50, 0, 0},        // suture
+                              {{0.80, 0.82, 0.84}, 0.50f, 90, 0, 0},        // steel
+                              {{0.30, 0.46, 0.42}, 0, 1, 0, 0.2f}};         // cloth
 const Material& material_of(Look look) {
     return materials[static_cast<std::size_t>(look)];
+}
+
+Scene cloth_scene() {
+    Scene scene;
+    scene.add(cloth(), Look::cloth);
+    return scene;
 }
 
 std::string light(const char* fragment) {
@@ -54,14 +68,22 @@ constexpr int fine_shadow = 2048, coarse_shadow = 1024;  // the former as in the
 struct Canvas::Gpu {
     Context& context;
     Gl& gl = context.gl();
-    Program solid{gl, shaders::solid_vertex, shaders::solid_fragment};
+    Program solid{gl, shaders::solid_vertex, shaders::solid_fragment};  // of suture and cloth
+    Program flesh{gl, shaders::solid_vertex, shaders::solid_fragment, "#define FLESH\n"};
+    Program steel{gl, shaders::solid_vertex, shaders::solid_fragment, "#define STEEL\n"};
     Program shadow_caster{gl, shaders::solid_vertex, shaders::nothing_fragment};
     Program ghost{gl, shaders::solid_vertex, shaders::ghost_fragment};
+    Program mark{gl, shaders::solid_vertex, shaders::mark_fragment};
     Program background{gl, shaders::screen_vertex, shaders::background_fragment};
     Program final{gl, shaders::screen_vertex, shaders::final_fragment};
     Program light_matt{gl, light_shaders::vertex, light(light_shaders::matt_fragment)};
     Program light_steel{gl, light_shaders::vertex, light(light_shaders::steel_fragment)};
-    Buffers moving{gl};
+    Program light_flesh{gl, light_shaders::vertex, light(light_shaders::matt_fragment), "#define FLESH\n"};
+    Program light_cloth{gl, light_shaders::cloth_vertex, light_shaders::cloth_fragment};
+    Program light_cast{gl, light_shaders::cloth_vertex, light_shaders::cloth_fragment, "#define CASTS\n"};
+    Scene scene;  // kept for its room
+    Buffers moving{gl}, marks{gl};
+    Fixed drape{gl, cloth_scene()};
     std::unique_ptr<Shadow> shadows[2];    // of each level
     std::unique_ptr<Fixed> tools[2][4];    // of each level and kind
     std::unique_ptr<Target> fine, result;  // twice the picture's width and height; the picture
@@ -70,7 +92,9 @@ struct Canvas::Gpu {
 
     const Shadow& shadow(Level level) {
         auto& shadow = shadows[static_cast<std::size_t>(level)];
-        if (!shadow) shadow = std::make_unique<Shadow>(gl, level == Level::full ? fine_shadow : coarse_shadow);
+        if (!shadow)
+            shadow = level == Level::full ? std::make_unique<Shadow>(gl, fine_shadow, GL_LINEAR)
+                                          : std::make_unique<Shadow>(gl, coarse_shadow, GL_NEAREST);
         return *shadow;
     }
     const Fixed& tool(instruments::Kind kind, Level level) {
@@ -103,7 +127,8 @@ void resize(Gpu& gpu, std::unique_ptr<Target>& target, int width, int height) {
 struct View {
     Eigen::Matrix4d clip_from_world, shadow_from_world;
     Vec3 eye, to_key, to_fill, to_rim, up;
-    double shadow_half;  ///< Half of what the shadow covers [m].
+    double shadow_half;      ///< Half of what the shadow covers [m].
+    Eigen::Vector4f screen;  ///< As the shaders have it.
 };
 
 /// Square to the key light about what the camera looks at; deep enough for all that could cast a shadow there.
@@ -117,8 +142,11 @@ Eigen::Matrix4d shadow_from_world(const Vec3& target, const Vec3& to_key, double
     return shadow;
 }
 
-View view_of(const Picture& picture) {
+/// Drawn on `fine` samples a pixel across, and as many up, from this corner on.
+View view_of(const Picture& picture, int fine, const Viewport& corner) {
     const Camera& camera = picture.camera;
+    const auto width = static_cast<float>(fine * picture.width), height = static_cast<float>(fine * picture.height),
+               x = static_cast<float>(corner.x), y = static_cast<float>(corner.y);
     const Eigen::Matrix3d axes = axes_of(camera);
     const auto towards = [&](double right, double up, double back) -> Vec3 {
         return axes.transpose() * Vec3(right, up, back).normalized();
@@ -130,18 +158,33 @@ View view_of(const Picture& picture) {
               towards(0.9, -0.1, 0.6),
               towards(0.4, 0.5, -0.8),
               towards(0, 1, 0),
-              1.8 * half_height(camera) * (camera.position - camera.target).norm()};
+              (fine > 1 ? 2.4 : 1.8) * half_height(camera) * (camera.position - camera.target).norm(),
+              Eigen::Vector4f(x + width / 2, y + height / 2, 2 / width, 2 / height)};
     view.shadow_from_world = shadow_from_world(camera.target, view.to_key, view.shadow_half);
     return view;
 }
 
+/// The parts that `wanted` holds for, by the program in use; of what is closed and does not fold the outside alone.
+template <class Wanted>
+void draw_parts(Gpu& gpu, const Scene& scene, const Program& program, const Wanted& wanted) {
+    for (const Part& part : scene.parts) {
+        if (!wanted(part)) continue;
+        if (part.closed && part.look != Look::flesh) gpu.gl.Enable(GL_CULL_FACE);
+        program.set("sheet", part.closed ? 0 : 1);
+        gpu.moving.draw(part.first, part.count);
+        gpu.gl.Disable(GL_CULL_FACE);
+    }
+}
+
 void draw_tool(Gpu& gpu, const ToolPicture& picture, Level level, const Program& program) {
     const Fixed& tool = gpu.tool(picture.kind, level);
+    gpu.gl.Enable(GL_CULL_FACE);
     for (const auto& [part, pose] : placed_parts(picture)) {
         program.set("model", pose.matrix());
         const Part& piece = tool.parts[static_cast<std::size_t>(part)];
         tool.buffers.draw(piece.first, piece.count);
     }
+    gpu.gl.Disable(GL_CULL_FACE);
 }
 
 void draw_shadow(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
@@ -151,7 +194,7 @@ void draw_shadow(Gpu& gpu, const Scene& scene, const Picture& picture, const Vie
     gpu.shadow_caster.use();
     gpu.shadow_caster.set("clip_from_world", view.shadow_from_world);
     gpu.shadow_caster.set("model", Eigen::Matrix4d::Identity().eval());
-    gpu.moving.draw(0, scene.surface.indices.size());
+    draw_parts(gpu, scene, gpu.shadow_caster, [](const Part&) { return true; });
     for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, gpu.shadow_caster);
 }
 
@@ -164,6 +207,7 @@ void use(Gpu& gpu, const Program& program, const View& view, Level level) {
     program.set("texel", static_cast<float>(2 * view.shadow_half / shadow.width));
     program.texture("shadow", 0, shadow.depth);
     program.set("eye", view.eye);
+    program.set("screen", view.screen);
     program.set("to_key", view.to_key);
     program.set("to_fill", view.to_fill);
     program.set("to_rim", view.to_rim);
@@ -176,48 +220,31 @@ void set_material(const Program& program, Look look) {
     program.set("base", material.base);
     program.set("gloss", material.gloss);
     program.set("sharpness", material.sharpness);
-    program.set("metal", material.metal);
-    program.set("mottle", material.mottle);
-    program.set("wrap", 0.25f * material.mottle);
-}
-
-void draw_background(Gpu& gpu) {
-    gpu.gl.DepthFunc(GL_LEQUAL);
-    gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
-    gpu.background.use();
-    gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    program.set("wrap", material.wrap);
+    program.set("vignette", material.vignette);
 }
 
 void draw_solids(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    const bool full = level == Level::full;
     const auto program_of = [&](Look look) -> const Program& {
-        if (level == Level::full) return gpu.solid;
-        return look == Look::steel ? gpu.light_steel : gpu.light_matt;
+        if (look == Look::flesh) return full ? gpu.flesh : gpu.light_flesh;
+        if (look == Look::steel) return full ? gpu.steel : gpu.light_steel;
+        return full ? gpu.solid : gpu.light_matt;
     };
     for (const Look look : {Look::flesh, Look::suture, Look::steel}) {
         const Program& program = program_of(look);
         use(gpu, program, view, level);
         set_material(program, look);
-        for (const Part& part : scene.parts)
-            if (part.look == look) gpu.moving.draw(part.first, part.count);
+        draw_parts(gpu, scene, program, [&](const Part& part) { return part.look == look; });
     }
     for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, program_of(Look::steel));
 }
 
-// Seen from outside only, so that each is blended once, and behind what is solid.
 void draw_ghosts(Gpu& gpu, const Picture& picture, const View& view, Level level) {
-    if (picture.ghosts.empty()) return;
     gpu.ghost.use();
     gpu.ghost.set("clip_from_world", view.clip_from_world);
     gpu.ghost.set("eye", view.eye);
-    gpu.gl.Enable(GL_BLEND);
-    gpu.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    gpu.gl.Enable(GL_CULL_FACE);
-    gpu.gl.CullFace(GL_BACK);
-    gpu.gl.DepthMask(GL_FALSE);
     for (const ToolPicture& tool : picture.ghosts) draw_tool(gpu, tool, level, gpu.ghost);
-    gpu.gl.DepthMask(GL_TRUE);
-    gpu.gl.Disable(GL_CULL_FACE);
-    gpu.gl.Disable(GL_BLEND);
 }
 
 void go_to(Gpu& gpu, const Viewport& viewport, const Picture& picture) {
@@ -240,11 +267,72 @@ void draw_result(Gpu& gpu, const Picture& picture, const Viewport& viewport) {
     gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// What lies on the drape: everything solid, laid flat.
+void draw_cast(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    constexpr double grazing = 0.1;
+    if (view.to_key.z() < grazing) return;
+    const Program& program = gpu.light_cast;
+    use(gpu, program, view, level);
+    set_material(program, Look::cloth);
+    program.set("flat_at", static_cast<float>(*picture.drape));
+    draw_parts(gpu, scene, program, [](const Part&) { return true; });
+    for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, program);
+}
+
+// From below it would hide the field.
+void draw_drape(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    if (!picture.drape || picture.camera.position.z() <= *picture.drape) return;
+    if (level == Level::light) draw_cast(gpu, scene, picture, view, level);
+    const Program& program = level == Level::full ? gpu.solid : gpu.light_cloth;
+    use(gpu, program, view, level);
+    set_material(program, Look::cloth);
+    program.set("model", Eigen::Isometry3d(Eigen::Translation3d(0, 0, *picture.drape)).matrix());
+    gpu.drape.buffers.draw(0, gpu.drape.count);
+}
+
+void draw_background(Gpu& gpu) {
+    gpu.background.use();
+    gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void draw_marks(Gpu& gpu, const Marks& marks, const View& view) {
+    if (marks.marks.empty()) return;
+    gpu.marks.fill(marks.surface);
+    gpu.mark.use();
+    gpu.mark.set("clip_from_world", view.clip_from_world);
+    gpu.mark.set("model", Eigen::Matrix4d::Identity().eval());
+    gpu.mark.set("eye", view.eye);
+    for (const Mark& mark : marks.marks) {
+        gpu.mark.set("tint", mark.tint);
+        gpu.mark.set("soft", mark.soft);
+        if (mark.on_top) gpu.gl.Disable(GL_DEPTH_TEST);
+        gpu.marks.draw(mark.first, mark.count);
+        if (mark.on_top) gpu.gl.Enable(GL_DEPTH_TEST);
+    }
+}
+
+// Blended, seen from outside only, so that each is blended once.
+void draw_translucent(Gpu& gpu, const Picture& picture, const View& view, Level level) {
+    gpu.gl.Enable(GL_BLEND);
+    gpu.gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gpu.gl.DepthMask(GL_FALSE);
+    draw_ghosts(gpu, picture, view, level);
+    gpu.gl.Enable(GL_CULL_FACE);
+    draw_marks(gpu, marks_of(picture), view);
+    gpu.gl.DepthMask(GL_TRUE);
+    gpu.gl.Disable(GL_CULL_FACE);
+    gpu.gl.Disable(GL_BLEND);
+}
+
+// From the front to the back: what is hidden costs nothing.
 void paint(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
     gpu.gl.Enable(GL_DEPTH_TEST);
-    draw_background(gpu);
+    gpu.gl.DepthFunc(GL_LEQUAL);
+    gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
     draw_solids(gpu, scene, picture, view, level);
-    draw_ghosts(gpu, picture, view, level);
+    draw_drape(gpu, scene, picture, view, level);
+    draw_background(gpu);
+    draw_translucent(gpu, picture, view, level);
 }
 
 void check(const Picture& picture) {
@@ -280,9 +368,13 @@ void draw(Canvas& canvas, const Picture& picture, Level level, const Viewport& v
     Gl& gl = gpu.gl;
     gpu.context.make_current();
     for (const unsigned off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST}) gl.Disable(off);
-    const Scene scene = scene_of(picture, level);
-    const View view = view_of(picture);
-    gpu.moving.fill(scene.surface, GL_STREAM_DRAW);
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.DepthMask(GL_TRUE);
+    gl.CullFace(GL_BACK);
+    Scene& scene = gpu.scene;
+    fill(scene, picture, level);
+    const View view = level == Level::full ? view_of(picture, 2, {}) : view_of(picture, 1, viewport);
+    gpu.moving.fill(scene.surface);
     draw_shadow(gpu, scene, picture, view, level);
     if (level == Level::full) {
         resize(gpu, gpu.fine, 2 * picture.width, 2 * picture.height);

@@ -71,14 +71,18 @@ Buffers::~Buffers() {
     gl_.DeleteVertexArrays(1, &array_);
 }
 
-void Buffers::fill(const Surface& surface, unsigned usage) {
-    const auto give = [&](unsigned to, const auto& values) {
-        gl_.BufferData(to, static_cast<GLsizeiptr>(values.size() * sizeof values[0]), values.data(), usage);
-    };
+template <class T>
+void Buffers::put(unsigned to, const std::vector<T>& values, std::size_t& room) {
+    const std::size_t size = values.size() * sizeof(T);
+    if (size > room) gl_.BufferData(to, static_cast<GLsizeiptr>(room = size + size / 4), nullptr, GL_DYNAMIC_DRAW);
+    gl_.BufferSubData(to, 0, static_cast<GLsizeiptr>(size), values.data());
+}
+
+void Buffers::fill(const Surface& surface) {
     gl_.BindVertexArray(array_);
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-    give(GL_ARRAY_BUFFER, surface.vertices);
-    give(GL_ELEMENT_ARRAY_BUFFER, surface.indices);
+    put(GL_ARRAY_BUFFER, surface.vertices, rooms_[0]);
+    put(GL_ELEMENT_ARRAY_BUFFER, surface.indices, rooms_[1]);
 }
 
 void Buffers::draw(std::size_t first, std::size_t count) const {
@@ -87,9 +91,10 @@ void Buffers::draw(std::size_t first, std::size_t count) const {
                      reinterpret_cast<const void*>(first * sizeof(unsigned)));
 }
 
-Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment) : gl_(gl), id_(gl.CreateProgram()) {
+Program::Program(Gl& gl, const std::string& vertex, const std::string& fragment, const std::string& defines)
+    : gl_(gl), id_(gl.CreateProgram()) {
     const auto attach = [&](unsigned kind, const std::string& text) {
-        const std::string whole = "#version 330 core\n" + text;
+        const std::string whole = "#version 330 core\n" + defines + text;
         const char* source = whole.c_str();
         const unsigned shader = gl.CreateShader(kind);
         gl.ShaderSource(shader, 1, &source, nullptr);

@@ -18,6 +18,7 @@ namespace app::draw {
     F(BINDVERTEXARRAY, BindVertexArray) \
     F(BLENDFUNC, BlendFunc) \
     F(BUFFERDATA, BufferData) \
+    F(BUFFERSUBDATA, BufferSubData) \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
     F(CLEAR, Clear) \
     F(COLORMASK, ColorMask) \
@@ -39,6 +40,7 @@ namespace app::draw {
     F(DRAWELEMENTS, DrawElements) \
     F(ENABLE, Enable) \
     F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    F(FINISH, Finish) \
     F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
     F(GENBUFFERS, GenBuffers) \
     F(GENFRAMEBUFFERS, GenFramebuffers) \
@@ -100,21 +102,25 @@ class Buffers {
     ~Buffers();
     Buffers(const Buffers&) = delete;
     Buffers& operator=(const Buffers&) = delete;
-    /// Takes the place of what was there. usage: GL_STATIC_DRAW or GL_STREAM_DRAW.
-    void fill(const Surface& surface, unsigned usage);
+    /// Takes the place of what was there; keeps its room where it is enough.
+    void fill(const Surface& surface);
     /// Draws so many indices from this one on.
     void draw(std::size_t first, std::size_t count) const;
 
   private:
     Gl& gl_;
+    template <class T>
+    void put(unsigned to, const std::vector<T>& values, std::size_t& room);
     unsigned array_ = 0, buffers_[2] = {};
+    std::size_t rooms_[2] = {};  // bytes
 };
 
 /// Shaders, linked.
 class Program {
   public:
     /// Throws DrawError, which has the compiler's words.
-    Program(Gl& gl, const std::string& vertex, const std::string& fragment);
+    /// defines: lines that come before both.
+    Program(Gl& gl, const std::string& vertex, const std::string& fragment, const std::string& defines = "");
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -123,6 +129,7 @@ class Program {
     void set(const char* name, float value) const { gl_.Uniform1f(at(name), value); }
     void set(const char* name, int x, int y) const { gl_.Uniform2i(at(name), x, y); }
     void set(const char* name, const Vec3& value) const;
+    void set(const char* name, const Eigen::Vector4f& value) const { gl_.Uniform4fv(at(name), 1, value.data()); }
     void set(const char* name, const Eigen::Matrix4d& value) const;
     void texture(const char* name, int unit, unsigned texture) const;
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "app/draw/context.hpp"
@@ -35,6 +36,23 @@ struct ToolPicture {
     double jaw = 1.0;  ///< 0 closed to 1 open.
 };
 
+/// An end of a vessel beyond which it is drawn on, as in a body: 15 mm straight, then down under the drape.
+struct Continued {
+    std::size_t vessel = 0;  ///< Which of the picture's vessels.
+    Vec3 centre;             ///< Of its end, which must be flat [m].
+    Vec3 outwards;           ///< Square to the end, away from the vessel; unit.
+};
+
+/// What helps to see depth on a flat screen; all are off. Colours are of Okabe and Ito, and a size says the same.
+struct Helps {
+    bool plumb = false;           ///< From each jaw a line down to what lies under it, and a drop shadow there.
+    int ring_tool = -1;           ///< Number of the tool whose jaws close: a ring as wide as its gap(), below 5 mm.
+    bool contact = false;         ///< A glow where jaws touch something.
+    bool strand = false;          ///< The strand between two jaws that hold the same thread is lit.
+    double tension = 0;           ///< Of that strand, 0 to 1, a share of what breaks it: colour and width.
+    std::vector<Vec3> candidate;  ///< What the jaws would take if they closed: a line or a point, lit.
+};
+
 /// All that is to be seen, in the world frame.
 struct Picture {
     std::vector<std::vector<Vec3>>
@@ -47,6 +65,9 @@ struct Picture {
     std::vector<ToolPicture> tools;          ///< Steel.
     std::vector<ToolPicture> ghosts;         ///< Translucent, so that a tool beside or in one is seen; cast no shadow.
     std::vector<assets::Mesh> vessels;
+    std::vector<Continued> continued;  ///< Ends of them.
+    std::optional<double> drape;       ///< Height of the cloth under the field [m]; none: a bare background.
+    Helps helps;
     Camera camera = default_view();
     int width = 960, height = 640;  ///< Pixels, 1 to 4096 each.
 };
@@ -56,6 +77,10 @@ struct Image {
     int width = 0, height = 0;
     std::vector<unsigned char> pixels;  ///< 3 * width * height
 };
+
+/// How far the jaws of a tool of the picture are from the nearest thread, needle or vessel [m]: from the middle of
+/// their tips to its surface; 0 where that is inside, infinite where there is nothing. Some 20 us.
+double gap(const Picture& picture, std::size_t tool);
 
 /// The place of a point of the world in the picture: pixels from its left and top edge; z is the depth [m] before the
 /// camera, not positive behind it.

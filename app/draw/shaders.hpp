@@ -21,9 +21,17 @@ inline constexpr char solid_fragment[] = R"(
 in vec3 world, normal;
 out vec4 color;
 uniform vec3 eye, to_key, to_fill, to_rim, camera_up, base;
-uniform float gloss, sharpness, metal, mottle, texel;  // texel: width of one of the shadow's [m]
+uniform vec4 screen;  // of the picture: its middle; from there to its edges, 1 over that [pixels]
+uniform float gloss, sharpness, wrap, vignette, texel;  // wrap: light goes a little way round through flesh
+// texel: width of one of the shadow's [m]
+uniform bool sheet;
 uniform mat4 shadow_from_world;
 uniform sampler2DShadow shadow;
+#ifdef FLESH
+const float in_shadow = 0.3;  // light comes through flesh
+#else
+const float in_shadow = 0.12;
+#endif
 
 float hash(vec3 p) {
     p = fract(p * vec3(0.1031, 0.1030, 0.0973));
@@ -61,25 +69,36 @@ float surroundings(vec3 r) {
 }
 
 void main() {
-    vec3 n = normalize(gl_FrontFacing ? normal : -normal), v = normalize(eye - world), albedo = base;
-    if (mottle > 0.0) {
+    vec3 n = normalize(normal), v = normalize(eye - world), albedo = base;
+#ifdef FLESH
+    // A face that folds over in a crease keeps the light of its surroundings; of a sheet both sides are seen.
+    if (sheet && !gl_FrontFacing) n = -n;
+    n = normalize(n - min(dot(n, v), 0.0) * v);
+#endif
+#ifdef FLESH
+    {
         vec3 mm = world * 1000.0;
         const float h = 0.06;
         float t = tissue(mm);
         vec3 slope = vec3(tissue(mm + vec3(h, 0, 0)), tissue(mm + vec3(0, h, 0)), tissue(mm + vec3(0, 0, h))) - t;
-        n = normalize(n - mottle * 0.07 / h * (slope - dot(slope, n) * n));
-        albedo *= mix(vec3(1), mix(vec3(0.72, 0.55, 0.55), vec3(1.25, 1.2, 1.15), t / 1.75), mottle);
+        n = normalize(n - 0.03 / h * (slope - dot(slope, n) * n));
+        albedo *= mix(vec3(0.72, 0.55, 0.55), vec3(1.25, 1.2, 1.15), t / 1.75);
     }
+#endif
     float facing = dot(n, to_key), open = lit_by_key(n);
-    float wrap = mottle * 0.25;  // light goes a little way round through flesh
-    float key = max((facing + wrap) / (1.0 + wrap), 0.0) * mix(0.12, 1.0, open);
+    float key = max((facing + wrap) / (1.0 + wrap), 0.0) * mix(in_shadow, 1.0, open);
     float fill = 0.5 + 0.5 * dot(n, to_fill), sky = 0.5 + 0.5 * dot(n, camera_up);
     vec3 matt = albedo * (vec3(1.0, 0.97, 0.92) * key * 0.95 + vec3(0.80, 0.90, 1.0) * (0.20 * fill + 0.16 * sky));
     float edge = pow(1.0 - max(dot(n, v), 0.0), 4.0);
-    vec3 shine = vec3(highlight(n, v, to_key) * open + 0.35 * highlight(n, v, to_fill)) +
+    vec3 shine = vec3(highlight(n, v, to_key) * open + 0.2 * highlight(n, v, to_fill)) +
                  (0.25 * gloss + 0.05) * edge * max(dot(n, to_rim) + 0.4, 0.0);
+#ifdef STEEL
     vec3 mirror = albedo * surroundings(reflect(-v, n)) * mix(0.62, 1.0, open) + vec3(0.3 * edge);
-    vec3 light = mix(matt, 0.25 * matt + 0.85 * mirror, metal) + shine;
+    matt = 0.25 * matt + 0.85 * mirror;
+#endif
+    vec3 light = matt + shine;
+    vec2 off = (gl_FragCoord.xy - screen.xy) * screen.zw;
+    light *= 1.0 - vignette * dot(off, off);
     light = light * (1.0 + 0.15 * light) / (1.0 + 0.35 * light);  // highlights bend over instead of burning out
     color = vec4(pow(clamp(light, 0.0, 1.0), vec3(1.0 / 2.2)), 1);
 })";
@@ -92,6 +111,18 @@ uniform vec3 eye;
 void main() {
     float edge = 1.0 - abs(dot(normalize(normal), normalize(eye - world)));
     color = vec4(mix(vec3(0.34, 0.71, 0.91), vec3(0.92, 0.98, 1.0), edge), 0.22 + 0.6 * edge * edge);
+})";
+
+// Marks that lamps do not light, at both levels.
+inline constexpr char mark_fragment[] = R"(
+in vec3 world, normal;
+out vec4 color;
+uniform vec3 eye;
+uniform vec4 tint;
+uniform float soft;
+void main() {
+    float facing = abs(dot(normalize(normal), normalize(eye - world)));
+    color = vec4(tint.rgb, tint.a * mix(1.0, facing * facing * facing, soft));
 })";
 
 inline constexpr char screen_vertex[] = R"(
@@ -143,9 +174,9 @@ float openness(ivec2 p, ivec2 last) {
         if (any(lessThan(q, ivec2(0))) || any(greaterThan(q, last))) continue;
         vec3 to = point_at(q, size) - c;
         float near = max(1.0 - dot(to, to) / (4.0 * planes.z * planes.z), 0.0);
-        sum += near * max(dot(to, n) / (length(to) + 0.02 * planes.z) - 0.12, 0.0);
+        sum += near * max(dot(to, n) / (length(to) + 0.02 * planes.z) - 0.3, 0.0);
     }
-    return clamp(1.0 - 1.3 * sum / 18.0, 0.25, 1.0);
+    return clamp(1.0 - 1.3 * sum / 18.0, 0.45, 1.0);
 }
 
 void main() {

@@ -2,8 +2,6 @@
 
 namespace app::draw {
 
-constexpr float crease_cosine = 0.75f;  // 41 degrees: past a 9-gon's corner, short of any edge meant to be one
-
 void Surface::add(const Surface& more) {
     const auto offset = static_cast<unsigned>(vertices.size());
     vertices.insert(vertices.end(), more.vertices.begin(), more.vertices.end());
@@ -31,8 +29,9 @@ struct FacesAtCorners {
 
 }  // namespace
 
-Surface shaded(const assets::Mesh& mesh) {
+Surface shaded(const assets::Mesh& mesh, float crease_cosine) {
     std::vector<Vec3f> areas, units;
+    areas.reserve(mesh.triangles.size()), units.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles) {
         const Vec3& p = mesh.vertices[a];
         areas.push_back((1e6 * (mesh.vertices[b] - p).cross(mesh.vertices[c] - p)).cast<float>());  // [mm^2]
@@ -40,6 +39,7 @@ Surface shaded(const assets::Mesh& mesh) {
     }
     const FacesAtCorners at(mesh);
     Surface surface;
+    surface.vertices.reserve(2 * mesh.vertices.size()), surface.indices.reserve(3 * mesh.triangles.size());
     // The vertices made of a corner, one for each of its normals: the last, and from each to the one before.
     std::vector<int> made(mesh.vertices.size(), -1), before;
     const auto vertex = [&](std::size_t corner, const Vec3f& unit) {

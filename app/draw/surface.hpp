@@ -19,9 +19,13 @@ struct Surface {
     void add(const Surface& more);
 };
 
+/// Cosines of crease angles: of steel, 41 degrees, past a 9-gon's corner, short of any edge meant to be one; of flesh,
+/// 75 degrees, so that folds are round and a cut's rim is sharp.
+constexpr float steel_crease = 0.75f, flesh_crease = 0.26f;
+
 /// Normals: the mean over a corner's faces, by area, that meet at less than the crease angle; so walls are round and
 /// edges sharp. Triangles without area are left out.
-Surface shaded(const assets::Mesh& mesh);
+Surface shaded(const assets::Mesh& mesh, float crease_cosine);
 
 /// Closed skin over rings of equally many points, counter-clockwise seen from the last, with a pole before the first
 /// and one after the last.
@@ -47,8 +51,9 @@ Surface tube(const std::vector<Vec3>& points, const std::function<double(const V
 enum class ToolPart { shaft, pin, jaw };
 
 /// One of them in its own frame: +z the way the tool points, y the tool's, the jaw's mate on its -x side; its origin is
-/// the front of the shaft, the middle of the pin, the hinge of the jaw. `around`: sides.
-assets::Mesh tool_part(instruments::Kind kind, ToolPart part, int around);
+/// the front of the shaft, the middle of the pin, the hinge of the jaw. fine: 32 sides instead of 12, and as many more
+/// slices.
+assets::Mesh tool_part(instruments::Kind kind, ToolPart part, bool fine);
 
 /// A part, and from its frame to the world.
 struct PlacedPart {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/geometry/portable_math.hpp"
+
 namespace app {
 
 using scenarios::world::WorldDef;
@@ -46,6 +48,68 @@ Vec3 outwards(const Snapshot& snapshot) {
     return way.norm() > radius / 4 ? Vec3(way.normalized()) : Vec3(Vec3::Zero());
 }
 
+// A rigid tube has as many facets as the thread needs to slide on; to the eye fewer are as round.
+void show_tubes(const WorldDef& world, std::vector<assets::Mesh>& vessels) {
+    constexpr int around = 32, along = 6;
+    std::size_t number = 0;
+    for (const auto& vessel : world.vessels) {
+        if (vessel.is_soft || number >= vessels.size()) continue;
+        assets::Mesh& mesh = vessels[number++];
+        if (!vessel.mesh_file.empty()) continue;
+        mesh = assets::make_tube(vessel.diameter, vessel.wall, vessel.length, around, along);
+        const auto turn = sim::geometry::rotation_between(Vec3::UnitX(), vessel.axis);
+        for (Vec3& vertex : mesh.vertices) vertex = vessel.centre + turn * vertex;
+    }
+}
+
+// The middle and the way out of a ring that an approximator's clamp draws about an end: its wire is an arm, then that.
+draw::Continued ringed(std::size_t vessel, const std::vector<Vec3>& wire, const Vec3& inside) {
+    const std::size_t count = wire.size() - 2;  // the last is the first again
+    Vec3 centre = Vec3::Zero();
+    for (std::size_t k = 1; k <= count; ++k) centre += wire[k] / static_cast<double>(count);
+    const Vec3 normal = (wire[1] - centre).cross(wire[1 + count / 4] - centre).normalized();
+    return {vessel, centre, normal.dot(centre - inside) < 0 ? Vec3(-normal) : normal};
+}
+
+Vec3 middle_of(const assets::Mesh& mesh) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& vertex : mesh.vertices) sum += vertex;
+    return sum / static_cast<double>(std::max<std::size_t>(1, mesh.vertices.size()));
+}
+
+// Of tubes alone; where the body of a mesh goes on is not known. Those that do not give way are shown first.
+std::vector<draw::Continued> continued_ends(const WorldDef& world, const Snapshot& snapshot) {
+    std::vector<draw::Continued> ends;
+    std::size_t number = 0, clamp = 0;
+    for (const bool soft : {false, true})
+        for (const auto& vessel : world.vessels) {
+            if (vessel.is_soft != soft) continue;
+            const std::size_t own = number++;
+            const std::vector<Vec3>* wire = soft && vessel.held_by >= 0 ? &snapshot.clamps[clamp++] : nullptr;
+            if (!vessel.mesh_file.empty() || own >= snapshot.vessels.size()) continue;
+            if (wire) {
+                ends.push_back(ringed(own, *wire, middle_of(snapshot.vessels[own])));
+                continue;
+            }
+            const Vec3 along = vessel.axis.normalized(), half = vessel.length / 2 * along;
+            if (vessel.start_held) ends.push_back({own, vessel.centre - half, -along});
+            if (vessel.end_held) ends.push_back({own, vessel.centre + half, along});
+        }
+    return ends;
+}
+
+// Under the vessels, and under whatever a hand reaches for or holds below them.
+double drape_under(const WorldDef& world, const Snapshot& snapshot) {
+    constexpr double below_vessel = 9e-3, below_jaw = 4e-3;  // [m]
+    double low = -below_vessel;
+    for (const auto& vessel : world.vessels)
+        low = std::min(low, vessel.centre.z() - vessel.diameter / 2 - below_vessel);
+    for (std::size_t i = 0; i < snapshot.tools.size(); ++i)
+        if (world.instruments[i].kind != instruments::Kind::approximator)
+            low = std::min(low, snapshot.tools[i].pose.position.z() - below_jaw);
+    return low;
+}
+
 }  // namespace
 
 draw::Camera camera_of(const WorldDef& world, const Snapshot& snapshot, double aspect) {
@@ -61,8 +125,11 @@ draw::Picture picture_of(const WorldDef& world, const Snapshot& snapshot, const 
     for (std::size_t i = 0; i < snapshot.tools.size(); ++i)
         picture.tools.push_back({world.instruments[i].kind, snapshot.tools[i].pose, snapshot.tools[i].jaw});
     picture.vessels = snapshot.vessels;
+    show_tubes(world, picture.vessels);
     picture.needles = snapshot.needles;
     picture.wires = snapshot.clamps;
+    picture.continued = continued_ends(world, snapshot);
+    picture.drape = drape_under(world, snapshot);
     picture.needle_radius = world.needle.wire;
     picture.camera = camera;
     picture.width = width;

@@ -3,51 +3,11 @@
 #include <cmath>
 #include <random>
 
-#include "app/draw/canvas.hpp"
-#include "assets/mesh.hpp"
+#include "tests/app/draw/scenes.hpp"
 
 namespace {
 
-using namespace app::draw;
-
-Canvas& canvas() {
-    static Canvas one;
-    return one;
-}
-
-struct Color {
-    int red, green, blue;
-    int light() const { return red + green + blue; }
-    bool suture() const { return blue > green + 25; }  // nothing else is drawn in blue
-    bool flesh() const { return red > green + 60; }
-};
-
-Color at(const Image& image, int x, int y) {
-    const unsigned char* p = &image.pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                                static_cast<std::size_t>(x))];
-    return {p[0], p[1], p[2]};
-}
-
-std::vector<Vec3> line(const Vec3& from, const Vec3& to) {
-    std::vector<Vec3> points;
-    for (int i = 0; i <= 50; ++i) points.push_back(from + i / 50.0 * (to - from));
-    return points;
-}
-
-Picture thread_picture(std::vector<Vec3> thread, double radius) {
-    Picture picture;
-    picture.thread = {std::move(thread)};
-    picture.thread_radius = radius;
-    picture.width = 480;
-    picture.height = 320;
-    return picture;
-}
-
-Picture vessel_picture() {
-    Picture picture = thread_picture({}, 0.5e-3);
-    picture.vessels = {assets::make_tube(4e-3, 0.6e-3, 30e-3, 48, 20)};
-    return picture;
-}
+using namespace scenes;
 
 /// First and last row of a column in which thread is seen.
 struct Span {
