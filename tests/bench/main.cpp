@@ -17,6 +17,7 @@
 #include "tests/bench/suites/ties.hpp"
 #include "tests/bench/suites/tissue.hpp"
 #include "tests/bench/suites/tissue_thread.hpp"
+#include "tests/bench/suites/window.hpp"
 
 // The program carrel-bench, to which `carrel bench` hands on.
 namespace {
@@ -82,6 +83,10 @@ Suite naming(const Options& options, const Progress& progress) {
     return naming_suite(find_data(options.data).curves(), options.quick, progress);
 }
 
+Suite window(const Options& options, const Progress& progress) {
+    return window_suite(find_data(options.data).drills(), options.quick, progress);
+}
+
 template <Suite (*suite)(bool quick, const Progress& progress)>
 Suite alone(const Options& options, const Progress& progress) {
     return suite(options.quick, progress);
@@ -96,6 +101,7 @@ constexpr Known suites[] = {
     {"ties", alone<ties_suite>},
     {"elastic-ties", alone<elastic_ties_suite>},
     {"knots", naming},
+    {"window", window},
 };
 
 const Known& suite_of(const Options& options) {
@@ -142,7 +148,8 @@ int run(int argc, char** argv) {
     Options options;
     program
         .add_option("SUITE", options.suite,
-                    "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties or knots")
+                    "What to measure: speed, speed-vs-error, accuracy, tissue, stability, ties, elastic-ties, knots or "
+                    "window")
         ->required();
     program.add_flag("--quick", options.quick, "Once and without the longest: seconds, of tissue a minute or two");
     program.add_option("--plot", options.plot,
