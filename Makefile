@@ -6,12 +6,18 @@ PREFIX := /usr/local
 # `make tidy` looks at sources that differ from this commit; a branch: make tidy SINCE=origin/main
 SINCE := HEAD~
 
-.PHONY: demo test check lint tidy clang long build bench install package format hashes mutants clean packages
+.PHONY: play demo test check lint tidy clang long build bench install package format hashes mutants clean packages
 .DEFAULT_GOAL := build
 
 build: packages
 	@cmake --preset release > /dev/null
 	@cmake --build build -j$(JOBS)
+
+# Opens the window on the menu.
+play: packages
+	@cmake --preset release > /dev/null
+	@cmake --build build -j$(JOBS) --target carrel
+	build/carrel play
 
 demo: packages
 	@cmake --preset release > /dev/null

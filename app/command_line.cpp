@@ -56,6 +56,25 @@ void add_run(CLI::App& program, Chosen& chosen) {
     command->callback([=, &chosen] { chosen = [options] { return run_command(*options); }; });
 }
 
+void add_play(CLI::App& program, Chosen& chosen) {
+    auto* command = program.add_subcommand("play", "Open the window: play a drill, or choose one in the menu");
+    auto options = std::make_shared<PlayOptions>();
+    auto* drill = command->add_option("DRILL", options->drill, "Drill file (.json); none: the menu");
+    command->add_option("--record", options->record, "Record the attempt to this file")->check(not_empty)->needs(drill);
+    command->add_flag("--exam", options->exam, "One attempt without help, pause or slow motion");
+    command->add_option("--assist", options->assist, "Assists to begin with, names with \",\" between")
+        ->check(not_empty);
+    command->add_option("--pace", options->pace, "Simulated seconds a second, at most those of the drill")
+        ->check(CLI::Range(0.125, 1.0));
+    command->add_option("--recordings", options->recordings, "Folder of all recordings, one folder a person")
+        ->check(not_empty);
+    command->add_option("--drills", options->drills, "Folder of the drills that the menu shows")->check(not_empty);
+    command
+        ->add_option("--ui-dump", options->ui_dump, "Write labels and places of all controls to this file, for tests")
+        ->check(not_empty);
+    command->callback([=, &chosen] { chosen = [options] { return play_command(*options); }; });
+}
+
 void add_replay(CLI::App& program, Chosen& chosen) {
     auto* command = program.add_subcommand("replay", "Re-simulate a recording");
     auto options = std::make_shared<ReplayOptions>();
@@ -160,14 +179,15 @@ void add_bench(CLI::App& program, Chosen&) {
 std::function<int()> asked_for(int argc, char** argv) {
     CLI::App program{"Carrel: a surgical suturing trainer. A thread that can be tied, pulled tight and named."};
     program.set_version_flag("--version", build_name(), "Print version, commit and compiler");
-    program.require_subcommand(1);
     program.failure_message(usage_fault);
     Chosen chosen;
-    for (const auto add :
-         {add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain, add_rope, add_bench})
+    for (const auto add : {add_play, add_run, add_replay, add_render, add_motion, add_knot, add_validate, add_explain,
+                           add_rope, add_bench})
         add(program, chosen);
-    if (argc > 1) expect_command(program, argv[1]);
-    if (argc > 1 && std::string(argv[1]) == "bench")
+    if (argc < 2) return [] { return play_command({}); };
+    program.require_subcommand(1);
+    expect_command(program, argv[1]);
+    if (std::string(argv[1]) == "bench")
         return [arguments = std::vector<std::string>(argv + 2, argv + argc)] { return bench_command(arguments); };
     try {
         program.parse(argc, argv);

@@ -17,6 +17,8 @@ packages=(
     libassimp-dev     # meshes
     libosmesa6-dev    # pictures without a display
     libpng-dev        # pictures as files
+    libsdl2-dev libimgui-dev libgl1 libgl1-mesa-dri fonts-dejavu-core  # the window
+    xvfb xauth xdotool x11-utils                                       # a display for its tests
     nlohmann-json3-dev libcli11-dev libsqlite3-dev libzstd-dev
     libssl-dev        # SHA-256
     libgtest-dev libbenchmark-dev

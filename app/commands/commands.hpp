@@ -16,6 +16,17 @@ struct RunOptions {
 };
 int run_command(const RunOptions& options);
 
+/// Opens the window: on a drill, or on the menu where none is named.
+struct PlayOptions {
+    std::string drill;               // to play at once
+    std::string record, recordings;  // the file of this one recording; the folder of all, in one folder a person
+    std::string drills, assist;      // the folder of shipped drills; names of assists with "," between
+    std::string ui_dump;             // labels and rectangles of all controls go here
+    std::optional<double> pace;      // simulated seconds a second, at most
+    bool exam = false;
+};
+int play_command(const PlayOptions& options);
+
 /// Re-simulates a recording.
 struct ReplayOptions {
     std::string recording, out;

@@ -1,0 +1,63 @@
+#include "app/window/input.hpp"
+
+#include "app/window/player.hpp"
+
+namespace app::window {
+
+namespace {
+
+bool is_mouse(const SDL_Event& event) {
+    return event.type == SDL_MOUSEMOTION || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP ||
+           event.type == SDL_MOUSEWHEEL;
+}
+
+std::optional<hands::Button> button_of(const SDL_Event& event) {
+    switch (event.button.button) {
+        case SDL_BUTTON_LEFT:
+            return hands::Button::left;
+        case SDL_BUTTON_RIGHT:
+            return hands::Button::right;
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+std::optional<hands::Press> Input::take(const SDL_Event& event, bool is_caught, hands::Devices& devices) {
+    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) return take_key(event, devices);
+    if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_MIDDLE) leads_camera_ = true;
+    if (event.type == SDL_MOUSEBUTTONUP && event.button.button == SDL_BUTTON_MIDDLE) leads_camera_ = false;
+    if (is_mouse(event) && is_caught && !leads_camera_) take_mouse(event, devices);
+    return {};
+}
+
+std::optional<hands::Press> Input::take_key(const SDL_Event& event, hands::Devices& devices) {
+    if (event.key.repeat) return {};
+    const char* name = SDL_GetScancodeName(event.key.keysym.scancode);
+    const auto press = keyboard_.key(bindings_, name, event.type == SDL_KEYDOWN);
+    if (!press) return {};
+    if (!hands::row_of(press->action).of_hands) return press;
+    devices.post({*press, now_s()});
+    return {};
+}
+
+void Input::take_mouse(const SDL_Event& event, hands::Devices& devices) {
+    const SDL_Keymod held = SDL_GetModState();
+    if (event.type == SDL_MOUSEMOTION)
+        devices.post(
+            {hands::Motion{static_cast<double>(event.motion.xrel), static_cast<double>(event.motion.yrel)}, now_s()});
+    else if (event.type == SDL_MOUSEWHEEL && !(held & KMOD_CTRL))
+        devices.post({hands::Wheel{static_cast<double>(event.wheel.preciseY), (held & KMOD_SHIFT) != 0}, now_s()});
+    else if (const auto button = button_of(event);
+             button && (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP))
+        devices.post({hands::Click{*button, event.type == SDL_MOUSEBUTTONDOWN}, now_s()});
+}
+
+void Input::let_go(hands::Devices& devices) {
+    keyboard_.let_go();
+    devices.post({hands::LetGo{}, now_s()});
+    leads_camera_ = false;
+}
+
+}  // namespace app::window
