@@ -6,13 +6,24 @@ std::string version() {
     return CARREL_VERSION;
 }
 
-std::string build_name() {
+std::string compiler_name() {
 #ifdef __clang__
-    constexpr const char* compiler = "Clang " __clang_version__;
+    return "Clang " __clang_version__;
 #else
-    constexpr const char* compiler = "GCC " __VERSION__;
+    return "GCC " __VERSION__;
 #endif
-    std::string name = "carrel " + version() + ", commit " + commit + ", " + compiler;
+}
+
+std::string compiler_flags() {
+    return CARREL_FLAGS;
+}
+
+std::string library_versions() {
+    return CARREL_LIBRARIES;
+}
+
+std::string build_name() {
+    std::string name = "carrel " + version() + ", commit " + commit + ", " + compiler_name();
 #ifdef __OPTIMIZE__
     name += ", optimised";
 #endif

@@ -10,6 +10,15 @@ std::string version();
 /// a checkout.
 extern const char* const commit;
 
+/// The compiler, such as "GCC 12.2.0".
+std::string compiler_name();
+
+/// What the compiler was told, as far as it decides what a tick computes.
+std::string compiler_flags();
+
+/// The libraries that a tick depends on, with their versions: "Eigen 3.4.0, Bullet 3.24".
+std::string library_versions();
+
 /// Version, commit, compiler and how it was told to build, for figures that depend on them.
 std::string build_name();
 

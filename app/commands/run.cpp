@@ -3,7 +3,6 @@
 #include <iostream>
 #include <optional>
 
-#include "app/build_info.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/tool_starts.hpp"
 #include "app/commands/warnings.hpp"
@@ -28,8 +27,7 @@ std::optional<scenarios::recording::Recorder> open_recorder(const RunOptions& op
     const std::filesystem::path file = options.record;
     if (file.has_parent_path()) make_folder("--record", file.parent_path());
     expect_writable("--record", file);
-    return scenarios::recording::Recorder(file, {drill.text, options.drill, build_name(), drill.world.tick_s,
-                                                 scenarios::drill::instrument_names(drill), assets_of(drill.world)});
+    return scenarios::recording::Recorder(file, head_of(drill, options.drill, {.device = "motion file"}));
 }
 
 // One tick after another; what was recorded is safe up to the last flush whatever happens after it.
@@ -42,11 +40,12 @@ std::vector<Snapshot> play(Session& session, const scenarios::drill::Motion& mot
     Progress progress(static_cast<double>(ticks) * tick_s);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
         motion.at(static_cast<double>(tick) * tick_s, inputs);
+        if (recorder) recorder->add_tick(inputs);
         session.tick(inputs);
         if (most_frames > 0 && tick * static_cast<std::uint64_t>(most_frames) / ticks >= frames.size())
             frames.push_back(session.snapshot(""));
         if (recorder) {
-            recorder->add_tick(inputs);
+            if (const auto trouble = recorder->trouble()) throw std::runtime_error(*trouble);
             using scenarios::recording::hash_period;
             if ((tick + 1) % hash_period == 0 || tick + 1 == ticks)
                 recorder->add_hash(tick + 1, session.world().hash());

@@ -1,6 +1,8 @@
 #include "app/play/recorded.hpp"
 
+#include "app/build_info.hpp"
 #include "app/fault.hpp"
+#include "app/machine.hpp"
 #include "instruments/tool_world.hpp"
 
 namespace app {
@@ -17,6 +19,20 @@ std::vector<Asset> assets_of(const scenarios::world::WorldDef& world) {
             assets.push_back({vessel.mesh_file,
                               scenarios::drill::sha256(scenarios::drill::read_text(vessel.mesh_file, most_bytes))});
     return assets;
+}
+
+scenarios::recording::Head head_of(const Drill& drill, const std::string& name,
+                                   scenarios::recording::Circumstances session) {
+    session.machine = machine_name();
+    const std::string libraries = library_versions() + ", " + scenarios::recording::library_versions();
+    return {.drill_text = drill.text,
+            .drill_name = name,
+            .program_version = build_name(),
+            .tick_s = drill.world.tick_s,
+            .instruments = scenarios::drill::instrument_names(drill),
+            .assets = assets_of(drill.world),
+            .engine = {commit, compiler_name(), compiler_flags(), libraries},
+            .session = std::move(session)};
 }
 
 namespace {

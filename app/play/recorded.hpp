@@ -10,6 +10,11 @@ namespace app {
 /// Throws scenarios::drill::FileError when one cannot be read.
 std::vector<scenarios::recording::Asset> assets_of(const scenarios::world::WorldDef& world);
 
+/// What a session of this drill is recorded with: the drill, which messages call `name`, the meshes that it names, this
+/// program and, but for the machine, which is filled in here, who plays it and how. Throws as assets_of().
+scenarios::recording::Head head_of(const scenarios::drill::Drill& drill, const std::string& name,
+                                   scenarios::recording::Circumstances session);
+
 /// A recording of at least one tick and the drill in it, fit to be simulated again.
 struct Recorded {
     scenarios::recording::Recording recording;

@@ -15,6 +15,7 @@ json items(const Result& result) {
         list.push_back({{"name", item.name},
                         {"title", item.title},
                         {"value", item.value},
+                        {"number", item.number ? json(*item.number) : json(nullptr)},
                         {"unit", item.unit},
                         {"band", item.band},
                         {"passed", item.band.empty() ? json(nullptr) : json(item.passed)},
@@ -28,6 +29,20 @@ json events(const Result& result) {
     for (const scenarios::world::Event& event : result.events)
         list.push_back({{"t_s", event.t_s}, {"kind", event.name()}, {"what", event.what}, {"value", event.value}});
     return list;
+}
+
+json session(const Result& result) {
+    if (!result.session) return nullptr;
+    const scenarios::drill::Circumstances& session = *result.session;
+    return {{"who", session.who},
+            {"device", session.device},
+            {"assists", session.assists},
+            {"exam", session.exam},
+            {"pace", session.pace},
+            {"machine", session.machine},
+            {"parent", session.parent},
+            {"parent_tick", session.parent_tick},
+            {"comparable", result.is_comparable}};
 }
 
 json thread(const Result& result) {
@@ -57,7 +72,8 @@ std::string result_json(const Result& result) {
                        {"duration_s", result.duration_s},
                        {"state_hash", result.state_hash},
                        {"events", events(result)},
-                       {"machine", result.machine}};
+                       {"machine", result.machine},
+                       {"session", session(result)}};
     // The library writes what is not finite as null: JSON has no word for it.
     return root.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
 }

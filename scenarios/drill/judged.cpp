@@ -27,9 +27,14 @@ static std::string told_apart(double value, int digits, const Band& band) {
     return text;
 }
 
+std::optional<double> number_or_none(double value) {
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
 ScoreItem judged(const Reading& reading, const std::optional<Band>& band) {
     ScoreItem item{
         reading.name, reading.title, fixed(reading.value, reading.digits), reading.unit, "", true, reading.at_s, ""};
+    item.number = number_or_none(reading.value);
     if (!band) return item;
     item.band = in_words(*band);
     item.passed = band->holds(reading.value);

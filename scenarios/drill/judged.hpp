@@ -20,6 +20,9 @@ struct Reading {
 /// takes to tell the two apart.
 ScoreItem judged(const Reading& reading, const std::optional<Band>& band);
 
+/// A number, or none where it is not one.
+std::optional<double> number_or_none(double value);
+
 /// A number with so many digits after the point: 0.25 is "0.3" with one.
 std::string fixed(double value, int digits);
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct ScoreItem {
     bool passed = false;  ///< Whether the value is within its band; without a band it is.
     double at_s = 0;      ///< When it was decided or reached its value [s].
     std::string why;      ///< If failed: one sentence for the resident. Of a lapse, its number and limit. Else empty.
+    std::optional<double> number =
+        {};  ///< The value with all its digits, where it is one number. Of a lapse, of `why`.
 
     bool operator==(const ScoreItem&) const = default;
 };
@@ -37,6 +40,20 @@ struct Sample {
 /// What half, 99 of 100 and all of some figures stay below.
 struct Percentiles {
     double p50 = 0, p99 = 0, max = 0;  ///< In the unit of the figures.
+};
+
+/// Who plays a session, and under which rules.
+struct Circumstances {
+    std::string who = {};           ///< A pseudonym; empty: nobody says.
+    std::string device = {};        ///< "mouse and keys", "motion file" ...
+    std::string assists = {};       ///< Assists that are on as it begins, with blanks between; marks say what changes.
+    bool exam = false;              ///< An exam: no help, no pause.
+    double pace = 1;                ///< What the drill declares: simulated over wall time.
+    std::string machine = {};       ///< The machine, in words.
+    std::string parent = {};        ///< SHA-256 of the recording that it goes on from, or empty.
+    std::uint64_t parent_tick = 0;  ///< From which of its ticks.
+
+    bool operator==(const Circumstances&) const = default;
 };
 
 /// All that a played drill came to.
@@ -60,6 +77,8 @@ struct Result {
     std::string state_hash;              ///< 16 hex digits, after the last tick.
     Percentiles tick_us;  ///< Processor time of a tick [us]; the only figures here that differ between runs.
     std::string machine;  ///< The machine that it was played on, in words; empty where nobody says.
+    std::optional<Circumstances> session = {};  ///< Who played it, and how; none where nobody says.
+    bool is_comparable = true;                  ///< Whether it went as fast as its drill declares.
 };
 
 }  // namespace scenarios::drill

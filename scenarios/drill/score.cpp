@@ -105,7 +105,7 @@ void score_throws(const Goal& goal, const world::Measures& measures, std::vector
     if (goal.throws == 0 && goal.notation.empty()) return;
     const std::string& found = measures.knot.throws;
     const int count = throw_count(found);
-    ScoreItem item{"throws", "Throws", "", "", "", false, measures.knot_since_s, ""};
+    ScoreItem item{"throws", "Throws", "", "", "", false, measures.knot_since_s, "", count};
     if (!goal.notation.empty()) {
         item.value = found.empty() ? "none" : found;
         item.band = goal.notation;

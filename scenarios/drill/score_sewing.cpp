@@ -131,7 +131,7 @@ void score_join(const Drill& drill, const world::Measures& measures, std::vector
         const std::string number = lapse.measure + ": " + fixed(lapse.value, 2) +
                                    (lapse.at_least ? "; at least " : "; at most ") + fixed(lapse.limit, 2) + ".";
         items.push_back({"lapse: " + lapse.name, "Lapse: " + lapse.name, lapse.committed ? "yes" : "no", "", "", true,
-                         at_s, number});
+                         at_s, number, number_or_none(lapse.value)});
     }
 }
 

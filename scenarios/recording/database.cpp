@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <optional>
 
 #include "scenarios/recording/format.hpp"
 
@@ -93,6 +92,11 @@ std::string Statement::text(int column) const {
     return bytes ? std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(handle_, column))) : std::string();
 }
 
+std::optional<double> Statement::real_or_none(int column) const {
+    if (sqlite3_column_type(handle_, column) == SQLITE_NULL) return {};
+    return real(column);
+}
+
 std::vector<char> Statement::blob(int column) const {
     const auto* bytes = static_cast<const char*>(sqlite3_column_blob(handle_, column));
     return bytes ? std::vector<char>(bytes, bytes + sqlite3_column_bytes(handle_, column)) : std::vector<char>();
@@ -103,6 +107,9 @@ void Statement::bind_one(int place, const std::string& value) {
 }
 void Statement::bind_one(int place, double value) {
     check(database_, sqlite3_bind_double(handle_, place, value));
+}
+void Statement::bind_one(int place, const std::optional<double>& value) {
+    check(database_, value ? sqlite3_bind_double(handle_, place, *value) : sqlite3_bind_null(handle_, place));
 }
 void Statement::bind_one(int place, std::int64_t value) {
     check(database_, sqlite3_bind_int64(handle_, place, value));

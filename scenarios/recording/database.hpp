@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -72,6 +73,8 @@ class Statement {
     std::string text(int column) const;
     /// A number of this row; 0 for what is no number.
     double real(int column) const { return sqlite3_column_double(handle_, column); }
+    /// A number of this row; none for NULL.
+    std::optional<double> real_or_none(int column) const;
     /// A whole number of this row; 0 for what is no number.
     std::int64_t integer(int column) const { return sqlite3_column_int64(handle_, column); }
     /// The bytes of a blob of this row; empty for NULL.
@@ -80,6 +83,7 @@ class Statement {
   private:
     void bind_one(int place, const std::string& value);
     void bind_one(int place, double value);
+    void bind_one(int place, const std::optional<double>& value);
     void bind_one(int place, std::int64_t value);
     void bind_one(int place, const std::vector<char>& value);
 

@@ -1,11 +1,14 @@
 #include "scenarios/recording/format.hpp"
 
+#include <sqlite3.h>
 #include <zstd.h>
 
 #include <array>
 #include <bit>
 #include <memory>
 #include <stdexcept>
+
+#include "scenarios/recording/recording.hpp"
 
 namespace scenarios::recording {
 
@@ -25,6 +28,10 @@ ToolInput tool_of(const std::array<double, numbers_per_tool>& n) {
 }
 
 }  // namespace
+
+std::string library_versions() {
+    return std::string("SQLite ") + sqlite3_libversion() + ", zstd " + ZSTD_versionString();
+}
 
 std::vector<char> pack(std::span<const ToolInput> inputs, std::size_t tools) {
     const std::size_t ticks = inputs.size() / tools;

@@ -4,6 +4,7 @@
 #include "scenarios/recording/database.hpp"
 #include "scenarios/recording/format.hpp"
 #include "scenarios/recording/recording.hpp"
+#include "scenarios/recording/second_version.hpp"
 
 namespace scenarios::recording {
 
@@ -48,9 +49,17 @@ class Loader {
              [&](Statement& row) { add_event(row); });
         each("score", "SELECT name, title, value, unit, band, passed, at_s, why FROM score ORDER BY rowid",
              [&](Statement& row) {
-                 recording_.scores.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
-                                              row.integer(5) != 0, row.real(6), row.text(7)});
+                 recording_.scores.push_back({row.text(0),
+                                              row.text(1),
+                                              row.text(2),
+                                              row.text(3),
+                                              row.text(4),
+                                              row.integer(5) != 0,
+                                              row.real(6),
+                                              row.text(7),
+                                              {}});
              });
+        if (recording_.version >= 2) read_second_version();
         recording_.finished = ticks_at_finish.has_value();
         if (ticks_at_finish && !gap_ && *ticks_at_finish != static_cast<std::int64_t>(recording_.ticks()))
             recording_.damage.push_back("inputs end at tick " + std::to_string(recording_.ticks()) + " of " +
@@ -61,9 +70,11 @@ class Loader {
   private:
     void check_version() {
         Statement row(database_, "PRAGMA user_version");
-        if (row.step() && row.integer(0) == format_version) return;
-        fail(file_, "is a recording of version " + std::to_string(row.integer(0)) + ", this program reads version " +
-                        std::to_string(format_version));
+        const std::int64_t version = row.step() ? row.integer(0) : 0;
+        if (version < oldest_version || version > format_version)
+            fail(file_, "is a recording of version " + std::to_string(version) + ", this program reads versions " +
+                            std::to_string(oldest_version) + " to " + std::to_string(format_version));
+        recording_.version = static_cast<int>(version);
     }
 
     void read_head() {
@@ -79,12 +90,36 @@ class Loader {
         if (!(recording_.head.tick_s > 0 && recording_.head.tick_s <= 1)) fail(file_, "has no valid length of a tick");
     }
 
-    /// Calls `take` with each row; a table that breaks off is noted and what came before is kept.
-    void each(const char* table, const char* sql, const std::function<void(Statement&)>& take) try {
-        Statement row(database_, sql);
-        while (row.step()) take(row);
+    void read_second_version() {
+        whole("engine", [&] { read_engine(database_, recording_.head.engine); });
+        whole("session", [&] { read_session(database_, recording_.head.session); });
+        whole("pace", [&] { read_pace(database_, recording_.pace); });
+        whole("mark", [&] { read_marks(database_, recording_.marks); });
+        whole("measure", [&] {
+            for (const std::string& stray : read_numbers(database_, recording_.head.tick_s, recording_.scores))
+                recording_.damage.push_back("the measure \"" + stray + "\" belongs to no score");
+        });
+        look_at_unused();
+    }
+
+    // What is not used yet is looked at, so that its damage is told.
+    void look_at_unused() {
+        each("chain", "SELECT 1 FROM chain LIMIT 1", [](Statement&) {});
+        each("view", "SELECT 1 FROM view LIMIT 1", [](Statement&) {});
+    }
+
+    void whole(const char* table, const std::function<void()>& read) try {
+        read();
     } catch (const DatabaseError& error) {
         recording_.damage.push_back(std::string("table ") + table + " breaks off (" + error.what() + ")");
+    }
+
+    /// Calls `take` with each row; a table that breaks off is noted and what came before is kept.
+    void each(const char* table, const char* sql, const std::function<void(Statement&)>& take) {
+        whole(table, [&] {
+            Statement row(database_, sql);
+            while (row.step()) take(row);
+        });
     }
 
     // A replay needs every tick from the first, so inputs end at the first gap; what lies behind it is told, not used.

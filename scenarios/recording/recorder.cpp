@@ -1,16 +1,17 @@
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <cstdio>
-#include <functional>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
 #include <utility>
 
-#include "scenarios/recording/database.hpp"
 #include "scenarios/recording/format.hpp"
-#include "scenarios/recording/recording.hpp"
+#include "scenarios/recording/writer.hpp"
 
+// Whoever adds fills one batch. It is cut off when it is due and queued; a thread of its own writes what is queued, so
+// that nobody waits for the disk. What could not be written stays queued and is tried again with the next batch.
 namespace scenarios::recording {
 
 namespace {
@@ -30,6 +31,10 @@ void make_room(const std::filesystem::path& file) {
     std::filesystem::remove(file, error);
 }
 
+std::size_t ticks_of_a_batch(double tick_s) {
+    return static_cast<std::size_t>(std::clamp(flush_s / tick_s, 1.0, static_cast<double>(most_ticks)));
+}
+
 }  // namespace
 
 double wall_clock() {
@@ -37,144 +42,154 @@ double wall_clock() {
 }
 
 struct Recorder::Impl {
-    Database database;
-    std::string file;
-    std::size_t tools;
-    std::size_t flush_ticks;
-    double tick_s;
-    std::vector<instruments::ToolInput> pending;  ///< Since the last flush, as are the next three.
-    std::vector<TickHash> hashes;
-    std::vector<world::Event> events;
-    std::uint64_t saved_ticks = 0;
-    Clock clock;
-    double flushed;
+    Writer writer;  ///< Of the thread, once that runs.
+    const std::string file;
+    const std::size_t tools, most_inputs;
+    const double tick_s;
+    const Clock clock;
+    const bool may_wait;
 
-    Impl(const std::filesystem::path& path, const Head& head, Clock wall)
-        : database(path, Database::create),
+    std::mutex mutex;  ///< Of what follows.
+    std::condition_variable work, written;
+    Batch open;  ///< What is added goes here.
+    std::deque<Batch> queue;
+    std::uint64_t cut = 0, tried = 0;  ///< How many batches were queued; how many of these somebody tried to write.
+    double cut_s;
+    std::string trouble;
+    bool ends = false;
+    std::thread thread;
+
+    Impl(const std::filesystem::path& path, const Head& head, RecorderOptions options)
+        : writer(path, head),
           file(path.string()),
           tools(head.instruments.size()),
-          flush_ticks(
-              static_cast<std::size_t>(std::clamp(flush_s / head.tick_s, 1.0, static_cast<double>(most_ticks)))),
+          most_inputs(ticks_of_a_batch(head.tick_s) * tools),
           tick_s(head.tick_s),
-          clock(wall),
-          flushed(wall()) {
-        // A rollback journal keeps all that is committed in the one file; a write-ahead log would leave up to a whole
-        // session beside it. NORMAL waits for the disk so that a power cut does not corrupt the file either.
-        database.run("PRAGMA journal_mode=DELETE; PRAGMA synchronous=NORMAL; BEGIN");
-        database.run("PRAGMA application_id=" + std::to_string(application_id));
-        database.run("PRAGMA user_version=" + std::to_string(format_version));
-        database.run(tables);
-        Statement(database, "INSERT INTO head VALUES(?,?,?,?)")
-            .bind(head.drill_text, head.drill_name, head.program_version, head.tick_s)
-            .step();
-        for (std::size_t i = 0; i < tools; ++i)
-            Statement(database, "INSERT INTO instrument VALUES(?,?)")
-                .bind(static_cast<std::int64_t>(i), head.instruments[i])
-                .step();
-        for (const Asset& asset : head.assets)
-            Statement(database, "INSERT INTO asset VALUES(?,?)").bind(asset.name, asset.sha256).step();
-        database.run("COMMIT");
-        pending.reserve(flush_ticks * tools);
-    }
+          clock(options.clock),
+          may_wait(options.may_wait),
+          cut_s(options.clock()),
+          thread([this] { write_until_end(); }) {}
 
-    void write_pending() {
-        if (!pending.empty()) {
-            const auto ticks = static_cast<std::int64_t>(pending.size() / tools);
-            Statement(database, "INSERT INTO chunk VALUES(?,?,?)")
-                .bind(static_cast<std::int64_t>(saved_ticks), ticks, pack(pending, tools))
-                .step();
+    ~Impl() {
+        {
+            const std::lock_guard lock(mutex);
+            cut_off();
+            ends = true;
         }
-        for (const TickHash& entry : hashes) {
-            char hex[17];
-            std::snprintf(hex, sizeof hex, "%016llx", static_cast<unsigned long long>(entry.hash));
-            Statement(database, "INSERT OR REPLACE INTO state_hash VALUES(?,?)")
-                .bind(static_cast<std::int64_t>(entry.tick), std::string(hex))
-                .step();
+        work.notify_one();
+        thread.join();
+    }
+
+    void cut_off() {
+        cut_s = clock();
+        if (open.is_empty()) return;
+        queue.push_back(std::exchange(open, {}));
+        ++cut;
+        work.notify_one();
+    }
+
+    void cut_off_when_due() {
+        if (open.inputs.size() >= most_inputs || clock() - cut_s >= flush_s) cut_off();
+    }
+
+    /// Until all that was cut off so far is on disk, or could not be written.
+    void wait(std::unique_lock<std::mutex>& lock) {
+        written.wait(lock, [this, until = cut] { return tried >= until; });
+    }
+
+    void write_until_end() {
+        using namespace std::chrono_literals;
+        std::unique_lock lock(mutex);
+        while (!ends || tried < cut) {
+            work.wait_for(lock, 100ms, [this] { return ends || tried < cut; });
+            if (clock() - cut_s >= flush_s) cut_off();  // a tick that hangs must not keep its inputs from the disk
+            if (tried < cut) write_queue(lock);
         }
-        for (const world::Event& event : events)
-            Statement(database, "INSERT INTO event VALUES(?,?,?,?)")
-                .bind(event.t_s, event.name(), event.what, event.value)
-                .step();
     }
 
-    /// One transaction: what is pending, and what `more` writes.
-    void flush(const std::function<void()>& more = [] {}) try {
-        flushed = clock();
-        database.run("BEGIN");
-        write_pending();
-        more();
-        database.run("COMMIT");
-        saved_ticks += pending.size() / tools;
-        pending.clear();
-        hashes.clear();
-        events.clear();
-    } catch (const DatabaseError& error) {
-        sqlite3_exec(database.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
-        throw std::runtime_error(file + ": cannot be written (" + error.what() + "); the first " +
-                                 std::to_string(static_cast<double>(saved_ticks) * tick_s) + " s are safe on disk");
+    void write_queue(std::unique_lock<std::mutex>& lock) {
+        std::vector<Batch> batches(std::make_move_iterator(queue.begin()), std::make_move_iterator(queue.end()));
+        queue.clear();
+        const std::uint64_t until = cut;
+        lock.unlock();
+        const std::string problem = problem_in_writing(batches);
+        lock.lock();
+        if (!problem.empty())
+            queue.insert(queue.begin(), std::make_move_iterator(batches.begin()),
+                         std::make_move_iterator(batches.end()));
+        trouble = problem;
+        tried = until;
+        written.notify_all();
     }
 
-    void flush_when_due() {
-        const bool full = pending.size() >= flush_ticks * tools;
-        if (full || clock() - flushed >= flush_s) flush();
+    std::string problem_in_writing(std::span<const Batch> batches) try {
+        writer.write(batches);
+        return "";
+    } catch (const std::exception& error) {
+        return file + ": cannot be written (" + error.what() + "); the first " +
+               std::to_string(static_cast<double>(writer.saved_ticks()) * tick_s) + " s are safe on disk";
     }
 };
 
-Recorder::Recorder(const std::filesystem::path& file, const Head& head, Clock clock) : impl_(nullptr) {
+Recorder::Recorder(const std::filesystem::path& file, const Head& head, RecorderOptions options) {
     make_room(file);
     try {
-        impl_ = new Impl(file, head, clock);
+        impl_ = std::make_unique<Impl>(file, head, options);
     } catch (const DatabaseError& error) {
         throw RecordingError(file.string() + ": error: cannot be written (" + error.what() + ")");
     }
 }
 
-Recorder::~Recorder() {
-    if (!impl_) return;
-    try {
-        impl_->flush();
-    } catch (const std::exception&) {  // what was flushed before is safe; there is nobody left to tell
-    }
-    delete impl_;
-}
+Recorder::~Recorder() = default;
+Recorder::Recorder(Recorder&&) noexcept = default;
+Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 
-Recorder::Recorder(Recorder&& other) noexcept : impl_(std::exchange(other.impl_, nullptr)) {}
-Recorder& Recorder::operator=(Recorder&& other) noexcept {
-    std::swap(impl_, other.impl_);
-    return *this;
-}
-
+// Where it may wait, one batch is filled while one is written, so that no more than these two can be lost.
 void Recorder::add_tick(std::span<const instruments::ToolInput> inputs) {
     assert(inputs.size() == impl_->tools && "one input per instrument");
-    impl_->pending.insert(impl_->pending.end(), inputs.begin(), inputs.end());
-    impl_->flush_when_due();
+    std::unique_lock lock(impl_->mutex);
+    if (impl_->may_wait && impl_->open.inputs.size() + inputs.size() >= impl_->most_inputs) impl_->wait(lock);
+    impl_->open.inputs.insert(impl_->open.inputs.end(), inputs.begin(), inputs.end());
+    impl_->cut_off_when_due();
 }
 
 void Recorder::add_hash(std::uint64_t tick, std::uint64_t hash) {
-    impl_->hashes.push_back({tick, hash});
+    const std::lock_guard lock(impl_->mutex);
+    impl_->open.hashes.push_back({tick, hash});
 }
 
 void Recorder::add_event(const world::Event& event) {
-    impl_->events.push_back(event);
+    const std::lock_guard lock(impl_->mutex);
+    impl_->open.events.push_back(event);
+}
+
+void Recorder::add_mark(const Mark& mark) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->open.marks.push_back(mark);
+}
+
+void Recorder::add_pace(const PaceRow& row) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->open.pace.push_back(row);
+}
+
+std::optional<std::string> Recorder::trouble() const {
+    const std::lock_guard lock(impl_->mutex);
+    if (impl_->trouble.empty()) return {};
+    return impl_->trouble;
 }
 
 void Recorder::set_scores(const std::vector<drill::ScoreItem>& items) {
-    impl_->flush([&] {
-        impl_->database.run("DELETE FROM score");
-        for (const auto& item : items)
-            Statement(impl_->database, "INSERT INTO score VALUES(?,?,?,?,?,?,?,?)")
-                .bind(item.name, item.title, item.value, item.unit, item.band, static_cast<std::int64_t>(item.passed),
-                      item.at_s, item.why)
-                .step();
-    });
+    const std::lock_guard lock(impl_->mutex);
+    impl_->open.scores = items;
 }
 
 void Recorder::finish() {
-    impl_->flush([&] {
-        const auto ticks = impl_->saved_ticks + impl_->pending.size() / impl_->tools;
-        impl_->database.run("DELETE FROM finished");
-        Statement(impl_->database, "INSERT INTO finished VALUES(?)").bind(static_cast<std::int64_t>(ticks)).step();
-    });
+    std::unique_lock lock(impl_->mutex);
+    impl_->open.finishes = true;
+    impl_->cut_off();
+    impl_->wait(lock);
+    if (!impl_->trouble.empty()) throw std::runtime_error(impl_->trouble);
 }
 
 }  // namespace scenarios::recording

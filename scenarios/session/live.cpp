@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace scenarios::session {
@@ -32,7 +33,7 @@ Live::~Live() {
 }
 
 double Live::declared_pace() const {
-    return 1;
+    return session_.drill().pace;
 }
 
 void Live::pause() {
@@ -54,12 +55,13 @@ void Live::set_paused(bool paused) {
 void Live::set_pace(double pace) {
     if (options_.exam) return;
     pace_ = std::clamp(pace, std::min(least_pace, declared_pace()), declared_pace());
-    mark("pace", std::to_string(pace_));
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", pace_.load());
+    mark("pace", text);
 }
 
 void Live::mark(const std::string& kind, const std::string& text) {
-    const std::lock_guard lock(mutex_);
-    marks_.push_back({ticks_, kind, text});
+    if (recorder_) recorder_->add_mark({ticks_, kind, text});
 }
 
 void Live::note_shown(double delay_s) {
@@ -68,9 +70,7 @@ void Live::note_shown(double delay_s) {
 }
 
 std::optional<std::string> Live::trouble() const {
-    const std::lock_guard lock(mutex_);
-    if (trouble_.empty()) return {};
-    return trouble_;
+    return recorder_ ? recorder_->trouble() : std::nullopt;
 }
 
 // A view may hold events that the one before it held as well: that was taken while this one was made.
@@ -141,8 +141,8 @@ void Live::wait_for_resume() {
 
 // The hand is asked now, whatever is owed: what it says is never older than a tick.
 void Live::tick() {
-    const double begin_s = time_.now();
     const std::optional<double> device_s = hand_(session_.world(), inputs_);
+    const double begin_s = time_.now();
     if (recorder_) recorder_->add_tick(inputs_);
     session_.tick(inputs_);
     pacer_.add_tick();
@@ -176,7 +176,9 @@ void Live::record_what_happened() {
 }
 
 void Live::add_row(const std::optional<recording::PaceRow>& row) {
-    if (row) rows_.push_back(*row);
+    if (!row) return;
+    rows_.push_back(*row);
+    if (recorder_) recorder_->add_pace(*row);
 }
 
 void Live::end_ticks() {
@@ -193,17 +195,17 @@ Result Live::finish() {
     if (fault_) std::rethrow_exception(fault_);
     const std::uint64_t hash = session_.world().hash();
     Result result = session_.finish();
+    result.is_comparable = is_comparable();
     if (recorder_) save(hash, result);
     return result;
 }
 
+// What could not be written is told by trouble().
 void Live::save(std::uint64_t hash, const Result& result) try {
     if (result.ticks % recording::hash_period != 0) recorder_->add_hash(result.ticks, hash);
     recorder_->set_scores(result.items);
     recorder_->finish();
-} catch (const std::exception& error) {
-    const std::lock_guard lock(mutex_);
-    trouble_ = error.what();
+} catch (const std::runtime_error&) {
 }
 
 }  // namespace scenarios::session

@@ -42,7 +42,8 @@ struct LiveOptions {
 class Live {
   public:
     /// `start`: where the tools are before the first tick, one per instrument. `recorder`: gets each tick's inputs
-    /// before that tick, and all that happens; none: nothing is recorded. Throws as Session does.
+    /// before that tick, and all that happens; one that does not wait for the disk; none: nothing is recorded. Throws
+    /// as Session does.
     Live(scenarios::drill::Drill drill, std::span<const instruments::ToolInput> start, Hand hand, Time time,
          LiveOptions options = {}, std::optional<recording::Recorder> recorder = {});
     ~Live();  ///< Without finish() the recording stays readable, and says that it was broken off.
@@ -73,7 +74,7 @@ class Live {
     bool has_ended() const { return has_ended_; }
     /// How many ticks were made; from any thread.
     std::uint64_t ticks() const { return ticks_; }
-    /// The one line why the recording is not safe, if so; play goes on. From any thread.
+    /// Why the recording is not on disk, if so, in one line that says how much is; play goes on. From any thread.
     std::optional<std::string> trouble() const;
 
     /// Ends the ticks, scores and completes the recording; once. A recording that cannot be completed shows in
@@ -126,8 +127,6 @@ class Live {
     mutable std::mutex mutex_;  // of what follows
     std::condition_variable changed_;
     std::vector<double> shown_s_;
-    std::vector<recording::Mark> marks_;
-    std::string trouble_;
 
     std::thread thread_;  // last, for it uses all above
 };

@@ -90,18 +90,36 @@ TEST(KilledRecorder, LosesAtMostOneSecond) {
 }
 
 namespace {
-double now_s = 0;  // set by the test below
+std::atomic<double> now_s = 0;  // set by the tests below
+
+// How many ticks are on disk, as if killed now; waits some seconds for so many.
+std::uint64_t ticks_on_disk(const std::filesystem::path& file, std::uint64_t expected) {
+    for (int i = 0; i < 1000 && load_recording(file).ticks() < expected; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return load_recording(file).ticks();
 }
+}  // namespace
 
 // Ticks that come slowly (a heavy scene, a window in the background) never fill half a simulated second: after half a
 // second of wall clock they must be on disk all the same. Ticks 0.2 s apart: that at 0.6 s brings all four to disk.
 TEST(KilledRecorder, SlowTicksAreSavedByTheClock) {
     const session::Folder folder;
     now_s = 0;
-    Recorder recorder(folder / "slow", session::head(), [] { return now_s; });
+    Recorder recorder(folder / "slow", session::head(), {.clock = [] { return now_s.load(); }});
     for (std::uint64_t t = 0; t < 5; ++t) {
         now_s = 0.2 * static_cast<double>(t);
         recorder.add_tick(session::tools_at(t));
     }
-    EXPECT_EQ(load_recording(folder / "slow").ticks(), 4u);  // as if killed here
+    EXPECT_EQ(ticks_on_disk(folder / "slow", 4), 4u);
+}
+
+// A tick that hangs or crashes is looked into by its inputs: they come to disk although nothing more is added.
+TEST(KilledRecorder, TheInputsOfATickThatHangsAreSaved) {
+    const session::Folder folder;
+    now_s = 0;
+    Recorder recorder(folder / "hangs", session::head(), {.clock = [] { return now_s.load(); }});
+    recorder.add_tick(session::tools_at(0));
+    EXPECT_EQ(load_recording(folder / "hangs").ticks(), 0u);
+    now_s = 0.6;
+    EXPECT_EQ(ticks_on_disk(folder / "hangs", 1), 1u);
 }

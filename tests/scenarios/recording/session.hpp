@@ -68,7 +68,7 @@ inline std::vector<std::uint64_t> bits(std::span<const ToolInput> tools) {
 /// Records `ticks` ticks with a hash each hundred. The clock stands still, so that chunks are of 500 ticks on every
 /// machine.
 inline void record(const std::filesystem::path& file, std::uint64_t ticks, bool finish = true) {
-    scenarios::recording::Recorder recorder(file, head(), [] { return 0.0; });
+    scenarios::recording::Recorder recorder(file, head(), {.clock = [] { return 0.0; }});
     for (std::uint64_t t = 0; t < ticks; ++t) {
         recorder.add_tick(tools_at(t));
         if (t % 100 == 99) recorder.add_hash(t, hash_at(t));

@@ -28,7 +28,7 @@ void record(const fs::path& file, int at_s, const std::vector<ScoreItem>& items,
     {
         auto head = session::head();
         head.drill_text = drill;
-        scenarios::recording::Recorder recorder(file, head, [] { return 0.0; });
+        scenarios::recording::Recorder recorder(file, head, {.clock = [] { return 0.0; }});
         for (std::uint64_t t = 0; t < ticks; ++t) recorder.add_tick(session::tools_at(t));
         if (!items.empty()) recorder.set_scores(items), recorder.finish();
     }
