@@ -26,7 +26,7 @@ struct Fixed {
 
 /// Depth as the key light sees it.
 struct Shadow : Target {
-    Shadow(Gl& gl, int size, int filter) : Target(gl, size, size, false) {
+    Shadow(Gl& gl, int size, int filter, int kind) : Target(gl, size, size, false, kind) {
         gl.BindTexture(GL_TEXTURE_2D, depth);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
@@ -79,8 +79,8 @@ struct Canvas::Gpu {
     Program light_matt{gl, light_shaders::vertex, light(light_shaders::matt_fragment)};
     Program light_steel{gl, light_shaders::vertex, light(light_shaders::steel_fragment)};
     Program light_flesh{gl, light_shaders::vertex, light(light_shaders::matt_fragment), "#define FLESH\n"};
-    Program light_cloth{gl, light_shaders::cloth_vertex, light_shaders::cloth_fragment};
-    Program light_cast{gl, light_shaders::cloth_vertex, light_shaders::cloth_fragment, "#define CASTS\n"};
+    Program cloth{gl, light_shaders::cloth_vertex, light_shaders::cloth_fragment};
+    Program cast{gl, light_shaders::cloth_vertex, light_shaders::cloth_fragment, "#define CASTS\n"};
     Scene scene;  // kept for its room
     Buffers moving{gl}, marks{gl};
     Fixed drape{gl, cloth_scene()};
@@ -93,8 +93,9 @@ struct Canvas::Gpu {
     const Shadow& shadow(Level level) {
         auto& shadow = shadows[static_cast<std::size_t>(level)];
         if (!shadow)
-            shadow = level == Level::full ? std::make_unique<Shadow>(gl, fine_shadow, GL_LINEAR)
-                                          : std::make_unique<Shadow>(gl, coarse_shadow, GL_NEAREST);
+            shadow = level == Level::full
+                         ? std::make_unique<Shadow>(gl, fine_shadow, GL_LINEAR, GL_DEPTH_COMPONENT32F)
+                         : std::make_unique<Shadow>(gl, coarse_shadow, GL_NEAREST, GL_DEPTH_COMPONENT16);
         return *shadow;
     }
     const Fixed& tool(instruments::Kind kind, Level level) {
@@ -127,8 +128,7 @@ void resize(Gpu& gpu, std::unique_ptr<Target>& target, int width, int height) {
 struct View {
     Eigen::Matrix4d clip_from_world, shadow_from_world;
     Vec3 eye, to_key, to_fill, to_rim, up;
-    double shadow_half;      ///< Half of what the shadow covers [m].
-    Eigen::Vector4f screen;  ///< As the shaders have it.
+    double shadow_half;  ///< Half of what the shadow covers [m].
 };
 
 /// Square to the key light about what the camera looks at; deep enough for all that could cast a shadow there.
@@ -142,11 +142,8 @@ Eigen::Matrix4d shadow_from_world(const Vec3& target, const Vec3& to_key, double
     return shadow;
 }
 
-/// Drawn on `fine` samples a pixel across, and as many up, from this corner on.
-View view_of(const Picture& picture, int fine, const Viewport& corner) {
+View view_of(const Picture& picture) {
     const Camera& camera = picture.camera;
-    const auto width = static_cast<float>(fine * picture.width), height = static_cast<float>(fine * picture.height),
-               x = static_cast<float>(corner.x), y = static_cast<float>(corner.y);
     const Eigen::Matrix3d axes = axes_of(camera);
     const auto towards = [&](double right, double up, double back) -> Vec3 {
         return axes.transpose() * Vec3(right, up, back).normalized();
@@ -158,8 +155,7 @@ View view_of(const Picture& picture, int fine, const Viewport& corner) {
               towards(0.9, -0.1, 0.6),
               towards(0.4, 0.5, -0.8),
               towards(0, 1, 0),
-              (fine > 1 ? 2.4 : 1.8) * half_height(camera) * (camera.position - camera.target).norm(),
-              Eigen::Vector4f(x + width / 2, y + height / 2, 2 / width, 2 / height)};
+              1.8 * half_height(camera) * (camera.position - camera.target).norm()};
     view.shadow_from_world = shadow_from_world(camera.target, view.to_key, view.shadow_half);
     return view;
 }
@@ -194,7 +190,7 @@ void draw_shadow(Gpu& gpu, const Scene& scene, const Picture& picture, const Vie
     gpu.shadow_caster.use();
     gpu.shadow_caster.set("clip_from_world", view.shadow_from_world);
     gpu.shadow_caster.set("model", Eigen::Matrix4d::Identity().eval());
-    draw_parts(gpu, scene, gpu.shadow_caster, [](const Part&) { return true; });
+    draw_parts(gpu, scene, gpu.shadow_caster, [](const Part& part) { return part.casts; });
     for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, gpu.shadow_caster);
 }
 
@@ -207,7 +203,6 @@ void use(Gpu& gpu, const Program& program, const View& view, Level level) {
     program.set("texel", static_cast<float>(2 * view.shadow_half / shadow.width));
     program.texture("shadow", 0, shadow.depth);
     program.set("eye", view.eye);
-    program.set("screen", view.screen);
     program.set("to_key", view.to_key);
     program.set("to_fill", view.to_fill);
     program.set("to_rim", view.to_rim);
@@ -271,28 +266,49 @@ void draw_result(Gpu& gpu, const Picture& picture, const Viewport& viewport) {
 void draw_cast(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
     constexpr double grazing = 0.1;
     if (view.to_key.z() < grazing) return;
-    const Program& program = gpu.light_cast;
+    const Program& program = gpu.cast;
     use(gpu, program, view, level);
     set_material(program, Look::cloth);
+    program.set("alpha", level == Level::full ? 0.0f : 1.0f);
     program.set("flat_at", static_cast<float>(*picture.drape));
-    draw_parts(gpu, scene, program, [](const Part&) { return true; });
+    draw_parts(gpu, scene, program, [](const Part& part) { return part.casts; });
     for (const ToolPicture& tool : picture.tools) draw_tool(gpu, tool, level, program);
-}
-
-// From below it would hide the field.
-void draw_drape(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
-    if (!picture.drape || picture.camera.position.z() <= *picture.drape) return;
-    if (level == Level::light) draw_cast(gpu, scene, picture, view, level);
-    const Program& program = level == Level::full ? gpu.solid : gpu.light_cloth;
-    use(gpu, program, view, level);
-    set_material(program, Look::cloth);
-    program.set("model", Eigen::Isometry3d(Eigen::Translation3d(0, 0, *picture.drape)).matrix());
-    gpu.drape.buffers.draw(0, gpu.drape.count);
 }
 
 void draw_background(Gpu& gpu) {
     gpu.background.use();
     gpu.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Whether the drape fills the picture: each corner's sight meets it.
+bool fills(const Picture& picture) {
+    const Camera& camera = picture.camera;
+    const double up = half_height(camera), across = up * picture.width / picture.height;
+    for (const double x : {-across, across})
+        for (const double y : {-up, up}) {
+            const Vec3 sight = axes_of(camera).transpose() * Vec3(x, y, -1);
+            if (sight.z() >= 0) return false;
+            const Vec3 at = camera.position + (*picture.drape - camera.position.z()) / sight.z() * sight;
+            if (at.head<2>().cwiseAbs().maxCoeff() > cloth_reach) return false;
+        }
+    return true;
+}
+
+// From below it would hide the field. What it fills needs no background, and no depth but that of what lies on it.
+void draw_ground(Gpu& gpu, const Scene& scene, const Picture& picture, const View& view, Level level) {
+    const bool draped = picture.drape && picture.camera.position.z() > *picture.drape;
+    const bool filled = draped && fills(picture);
+    if (draped) {
+        draw_cast(gpu, scene, picture, view, level);
+        use(gpu, gpu.cloth, view, level);
+        set_material(gpu.cloth, Look::cloth);
+        gpu.cloth.set("alpha", level == Level::full ? 0.0f : 1.0f);
+        gpu.cloth.set("model", Eigen::Isometry3d(Eigen::Translation3d(0, 0, *picture.drape)).matrix());
+        gpu.gl.DepthMask(filled ? GL_FALSE : GL_TRUE);
+        gpu.drape.buffers.draw(0, gpu.drape.count);
+        gpu.gl.DepthMask(GL_TRUE);
+    }
+    if (!filled) draw_background(gpu);
 }
 
 void draw_marks(Gpu& gpu, const Marks& marks, const View& view) {
@@ -330,8 +346,7 @@ void paint(Gpu& gpu, const Scene& scene, const Picture& picture, const View& vie
     gpu.gl.DepthFunc(GL_LEQUAL);
     gpu.gl.Clear(GL_DEPTH_BUFFER_BIT);
     draw_solids(gpu, scene, picture, view, level);
-    draw_drape(gpu, scene, picture, view, level);
-    draw_background(gpu);
+    draw_ground(gpu, scene, picture, view, level);
     draw_translucent(gpu, picture, view, level);
 }
 
@@ -372,8 +387,8 @@ void draw(Canvas& canvas, const Picture& picture, Level level, const Viewport& v
     gl.DepthMask(GL_TRUE);
     gl.CullFace(GL_BACK);
     Scene& scene = gpu.scene;
-    fill(scene, picture, level);
-    const View view = level == Level::full ? view_of(picture, 2, {}) : view_of(picture, 1, viewport);
+    const View view = view_of(picture);
+    fill(scene, picture, level, view.to_key);
     gpu.moving.fill(scene.surface);
     draw_shadow(gpu, scene, picture, view, level);
     if (level == Level::full) {

@@ -9,12 +9,11 @@ namespace app::draw {
 
 Surface cloth() {
     constexpr int cells = 28;
-    constexpr double half = 0.3;  // [m]
     // Folds: waves of some 25 to 60 mm and up to 0.5 mm high, in the normals alone. The cells are finest in the middle.
     constexpr double waves[][4] = {{105, 170, 0.3, 0.5e-3}, {-190, 95, 1.9, 0.35e-3}, {60, -255, 4.0, 0.2e-3}};
     const auto place = [&](int i) {
         const double s = 2.0 * i / cells - 1;
-        return half * s * (0.25 + 0.75 * s * s);
+        return cloth_reach * s * (0.25 + 0.75 * s * s);
     };
     Surface surface;
     for (int j = 0; j <= cells; ++j)

@@ -26,10 +26,10 @@ static unsigned texture_of(Gl& gl, int width, int height, int kept_as, unsigned 
     return id;
 }
 
-Target::Target(Gl& gl, int w, int h, bool with_color) : width(w), height(h), gl_(gl) {
+Target::Target(Gl& gl, int w, int h, bool with_color, int depth_kind) : width(w), height(h), gl_(gl) {
     gl.GenFramebuffers(1, &frame_);
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame_);
-    depth = texture_of(gl, w, h, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+    depth = texture_of(gl, w, h, depth_kind, GL_DEPTH_COMPONENT, GL_FLOAT);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
     if (with_color) {
         color = texture_of(gl, w, h, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);

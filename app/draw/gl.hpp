@@ -80,7 +80,8 @@ struct Gl {
 /// A picture on the graphics side, with depth; colour is left out where only depth is wanted.
 class Target {
   public:
-    Target(Gl& gl, int width, int height, bool with_color);
+    /// depth_kind: GL_DEPTH_COMPONENT16, ...32F.
+    Target(Gl& gl, int width, int height, bool with_color, int depth_kind = GL_DEPTH_COMPONENT32F);
     ~Target();
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;

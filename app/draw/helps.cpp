@@ -159,9 +159,9 @@ class Marker {
         const auto wide = [&](const Vec3& p) { return std::max(radius, pixels(least_pixels, p)); };
         add(tube(points, wide, {.around = 6, .cap_rings = 2, .pieces = 1}), tint, 0, on_top);
     }
-    void ball(const Vec3& at, double radius, double least_pixels, const Eigen::Vector4f& tint) {
+    void ball(const Vec3& at, double radius, double least_pixels, const Eigen::Vector4f& tint, float soft = 1) {
         const double wide = std::max(radius, pixels(least_pixels, at));
-        add(tube({at}, [&](const Vec3&) { return wide; }, {.around = 16, .cap_rings = 6}), tint, 1, false);
+        add(tube({at}, [&](const Vec3&) { return wide; }, {.around = 24, .cap_rings = 8}), tint, soft, false);
     }
     /// A circle that faces the eye.
     void circle(const Vec3& centre, double radius, double wide_pixels, const Eigen::Vector4f& tint) {
@@ -198,14 +198,24 @@ class Marker {
     Eigen::Matrix3d axes_;
 };
 
+void mark_plumb_from(const Picture& picture, const Vec3& point, Marker& marker) {
+    const auto below = under(picture, point);
+    if (!below) return;
+    marker.disc(*below, 0.6e-3, color(0, 0, 0, 0.45f));
+    marker.line({point, below->at}, 0, 0.8, color(20, 20, 20, 0.55f), false);
+}
+
 void mark_plumb(const Picture& picture, Marker& marker) {
-    for (const ToolPicture& tool : picture.tools) {
-        if (!is_of_a_hand(tool)) continue;
-        const Vec3 mouth = mouth_of(tool);
-        const auto below = under(picture, mouth);
-        if (!below) continue;
-        marker.disc(*below, 0.6e-3, color(0, 0, 0, 0.45f));
-        marker.line({mouth, below->at}, 0, 0.8, color(20, 20, 20, 0.55f), false);
+    for (const ToolPicture& tool : picture.tools)
+        if (is_of_a_hand(tool)) mark_plumb_from(picture, mouth_of(tool), marker);
+}
+
+// A ball with a bright middle: its edge alone would be lost on the cloth.
+void mark_places(const Picture& picture, Marker& marker) {
+    for (const Ball& place : picture.helps.places) {
+        mark_plumb_from(picture, place.centre, marker);
+        marker.ball(place.centre, place.radius, 4, sky_blue(0.3f), 0);
+        marker.ball(place.centre, place.radius / 5, 3, yellow(0.9f));
     }
 }
 
@@ -266,6 +276,7 @@ double gap(const Picture& picture, std::size_t tool) {
 Marks marks_of(const Picture& picture) {
     Marker marker(picture);
     if (picture.helps.plumb) mark_plumb(picture, marker);
+    mark_places(picture, marker);
     if (picture.helps.strand) mark_strand(picture, marker);
     mark_candidate(picture, marker);
     if (picture.helps.contact) mark_contacts(picture, marker);

@@ -97,7 +97,8 @@ void main() {
 inline constexpr char cloth_fragment[] = R"(
 in vec3 shown;
 out vec4 color;
-void main() { color = vec4(shown, 1); })";
+uniform float alpha;
+void main() { color = vec4(shown, alpha); })";
 
 inline constexpr char steel_fragment[] = R"(
 void main() {

@@ -43,6 +43,12 @@ struct Continued {
     Vec3 outwards;           ///< Square to the end, away from the vessel; unit.
 };
 
+/// A ball in space, say a place to go to.
+struct Ball {
+    Vec3 centre;        ///< [m]
+    double radius = 0;  ///< [m]
+};
+
 /// What helps to see depth on a flat screen; all are off. Colours are of Okabe and Ito, and a size says the same.
 struct Helps {
     bool plumb = false;           ///< From each jaw a line down to what lies under it, and a drop shadow there.
@@ -50,6 +56,7 @@ struct Helps {
     bool contact = false;         ///< A glow where jaws touch something.
     bool strand = false;          ///< The strand between two jaws that hold the same thread is lit.
     double tension = 0;           ///< Of that strand, 0 to 1, a share of what breaks it: colour and width.
+    std::vector<Ball> places;     ///< Where something is to be brought: seen through, with a plumb line.
     std::vector<Vec3> candidate;  ///< What the jaws would take if they closed: a line or a point, lit.
 };
 

@@ -4,14 +4,15 @@
 
 namespace app::draw {
 
-/// What a surface is made of.
-enum class Look { flesh, suture, steel, cloth };
+/// What a surface is made of; what is made of shadow is not seen but casts one.
+enum class Look { flesh, suture, steel, cloth, shadow };
 
 /// Triangles of one look, where they lie in the indices.
 struct Part {
     Look look;
     std::size_t first, count;
     bool closed;  ///< Nobody sees its back.
+    bool casts;   ///< It casts a shadow.
 };
 
 /// All of a picture but its tools, its drape and its helps, in the world frame.
@@ -20,16 +21,19 @@ struct Scene {
     std::vector<Part> parts;
 
     /// Appends a surface of one look.
-    void add(const Surface& more, Look look, bool closed = true);
+    void add(const Surface& more, Look look, bool closed = true, bool casts = true);
 };
 
-/// Makes it the scene of a picture, as finely as the level asks.
-void fill(Scene& scene, const Picture& picture, Level level);
+/// Makes it the scene of a picture, as finely as the level asks, for a lamp in this direction.
+void fill(Scene& scene, const Picture& picture, Level level, const Vec3& to_key);
 
 /// A tool's three parts in their own frames, as ToolPart numbers them.
 Scene tool_scene(instruments::Kind kind, Level level);
 
-/// Cloth 0.3 m to either side of its middle, flat at the height 0; soft folds are in its normals.
+/// How far the drape reaches to either side of its middle [m].
+constexpr double cloth_reach = 0.3;
+
+/// Cloth flat at the height 0; soft folds are in its normals.
 Surface cloth();
 
 /// A vessel's outer skin drawn on beyond an end of it: a tube through the end's rim. Empty where the end is not there.

@@ -21,8 +21,7 @@ inline constexpr char solid_fragment[] = R"(
 in vec3 world, normal;
 out vec4 color;
 uniform vec3 eye, to_key, to_fill, to_rim, camera_up, base;
-uniform vec4 screen;  // of the picture: its middle; from there to its edges, 1 over that [pixels]
-uniform float gloss, sharpness, wrap, vignette, texel;  // wrap: light goes a little way round through flesh
+uniform float gloss, sharpness, wrap, texel;  // wrap: light goes a little way round through flesh
 // texel: width of one of the shadow's [m]
 uniform bool sheet;
 uniform mat4 shadow_from_world;
@@ -97,8 +96,6 @@ void main() {
     matt = 0.25 * matt + 0.85 * mirror;
 #endif
     vec3 light = matt + shine;
-    vec2 off = (gl_FragCoord.xy - screen.xy) * screen.zw;
-    light *= 1.0 - vignette * dot(off, off);
     light = light * (1.0 + 0.15 * light) / (1.0 + 0.35 * light);  // highlights bend over instead of burning out
     color = vec4(pow(clamp(light, 0.0, 1.0), vec3(1.0 / 2.2)), 1);
 })";
@@ -137,7 +134,7 @@ in vec2 place;
 out vec4 color;
 void main() {
     float from_lamp = length((place - vec2(0.45, 0.62)) * vec2(1.0, 0.8));
-    color = vec4(mix(vec3(0.80, 0.855, 0.85), vec3(0.44, 0.545, 0.555), smoothstep(0.0, 0.85, from_lamp)), 1);
+    color = vec4(mix(vec3(0.80, 0.855, 0.85), vec3(0.44, 0.545, 0.555), smoothstep(0.0, 0.85, from_lamp)), 0);
 })";
 
 // Mean of the fine pixels, darkened where near surfaces stand close in front of one (Alchemy's ambient obscurance,
@@ -182,13 +179,14 @@ float openness(ivec2 p, ivec2 last) {
 void main() {
     ivec2 p = (ivec2(gl_FragCoord.xy) - corner) * 2, last = textureSize(fine, 0) - 1;
     vec3 mean = vec3(0);
-    float surface = 0.0;
+    bool solid = true;  // cloth and background have no corners; alpha tells
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 2; ++x) {
-            mean += 0.25 * texelFetch(fine, p + ivec2(x, y), 0).rgb;
-            surface += texelFetch(fine_depth, p + ivec2(x, y), 0).x < 1.0 ? 0.25 : 0.0;
+            vec4 sample = texelFetch(fine, p + ivec2(x, y), 0);
+            mean += 0.25 * sample.rgb;
+            solid = solid && sample.a > 0.5;
         }
-    if (surface == 1.0) mean *= openness(p, last);
+    if (solid) mean *= openness(p, last);
     color = vec4(mean, 1);
 })";
 

@@ -32,20 +32,25 @@ Surface shaded(const assets::Mesh& mesh, float crease_cosine);
 assets::Mesh loft(const Vec3& first_pole, const std::vector<std::vector<Vec3>>& rings, const Vec3& last_pole);
 
 /// Curve through all points: Catmull-Rom with the chords as parameter (even where the spacing is not), `pieces` a span.
-/// No two successive points may coincide.
-std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int pieces);
+/// No two successive points may coincide. A span at both of whose ends the points turn by less than `straight` [rad] is
+/// one piece.
+std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int pieces, double straight = 0);
 
 /// How finely a round thing is drawn.
 struct Roundness {
-    int around = 16;    ///< Sides.
-    int cap_rings = 4;  ///< From an end's equator to its pole.
-    int pieces = 5;     ///< Of the smooth curve, a span.
+    int around = 16;      ///< Sides.
+    int cap_rings = 4;    ///< From an end's equator to its pole.
+    int pieces = 5;       ///< Of the smooth curve, a span.
+    double straight = 0;  ///< As in smooth_curve() [rad].
 };
 
 /// Round-ended tube of radius_at(point) about the thread's smooth curve, or a ball; empty for no points. The frames are
 /// carried along by rotations (parallel transport), so the skin never twists; normals are those of a round tube.
 Surface tube(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at,
              const Roundness& roundness = {});
+
+/// What a tube hides from a lamp in this direction: a band square to it through the points. Its normals are the lamp's.
+Surface band(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at, const Vec3& to_lamp);
 
 /// A tool's solid parts.
 enum class ToolPart { shaft, pin, jaw };

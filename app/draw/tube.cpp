@@ -7,7 +7,7 @@
 
 namespace app::draw {
 
-std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int steps) {
+std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int pieces, double straight) {
     const int last = static_cast<int>(points.size()) - 1;
     const auto chord = [&](int i) { return (points[i + 1] - points[i]).norm(); };
     const auto slope = [&](int i) -> Vec3 {
@@ -17,8 +17,14 @@ std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points, int steps) {
         return (after / before * (points[i] - points[i - 1]) + before / after * (points[i + 1] - points[i])) /
                (before + after);
     };
+    const double bent = std::cos(straight);
+    const auto turns = [&](int i) {
+        if (i == 0 || i == last) return false;
+        return (points[i + 1] - points[i]).dot(points[i] - points[i - 1]) < bent * chord(i) * chord(i - 1);
+    };
     std::vector<Vec3> curve{points.front()};
     for (int i = 0; i < last; ++i) {
+        const int steps = straight > 0 && !turns(i) && !turns(i + 1) ? 1 : pieces;
         const Vec3 from = chord(i) * slope(i), to = chord(i) * slope(i + 1), span = points[i + 1] - points[i];
         for (int k = 1; k < steps; ++k) {  // Hermite's cubic
             const double t = static_cast<double>(k) / steps;
@@ -76,7 +82,7 @@ Surface tube(const std::vector<Vec3>& points, const std::function<double(const V
     for (const Vec3& p : points)
         if (nodes.empty() || (p - nodes.back()).norm() > 1e-3 * radius_at(p)) nodes.push_back(p);
     if (nodes.empty()) return {};
-    const std::vector<Vec3> curve = smooth_curve(nodes, roundness.pieces);
+    const std::vector<Vec3> curve = smooth_curve(nodes, roundness.pieces, roundness.straight);
     const std::size_t last = curve.size() - 1;
     const auto direction = [&](std::size_t i) -> Vec3 {
         if (last == 0) return Vec3::UnitX();
@@ -101,6 +107,24 @@ Surface tube(const std::vector<Vec3>& points, const std::function<double(const V
     }
     for (int i = 1; i <= roundness.cap_rings; ++i) cap(curve.back(), 1, i);
     return std::move(skin.surface);
+}
+
+Surface band(const std::vector<Vec3>& points, const std::function<double(const Vec3&)>& radius_at,
+             const Vec3& to_lamp) {
+    Surface surface;
+    const std::size_t last = points.size() - 1;
+    Vec3 side = to_lamp.unitOrthogonal();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 across = (points[std::min(i + 1, last)] - points[i ? i - 1 : 0]).cross(to_lamp);
+        if (across.norm() > 0) side = across.normalized();
+        const double radius = radius_at(points[i]);
+        for (const double way : {-radius, radius})
+            surface.vertices.push_back({(points[i] + way * side).eval().cast<float>(), to_lamp.cast<float>()});
+        const auto a = static_cast<unsigned>(2 * i);
+        if (i < last)
+            for (const unsigned v : {a, a + 1, a + 3, a, a + 3, a + 2}) surface.indices.push_back(v);
+    }
+    return surface;
 }
 
 }  // namespace app::draw

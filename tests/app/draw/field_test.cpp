@@ -142,6 +142,29 @@ TEST_P(Levels, ShadowsFallOnTheDrape) {
     EXPECT_GT(far.y(), near.y() + 10);
 }
 
+// At the light level a band casts a thread's shadow: as wide as the thread, wherever that goes.
+TEST(Field, AThreadCastsTheSameShadowAtBothLevels) {
+    Picture picture = thread_picture({}, 0.5e-3);
+    picture.drape = -6e-3;
+    std::vector<Vec3> coil;
+    for (int i = 0; i <= 60; ++i) coil.emplace_back(4e-3 * std::cos(0.2 * i), 4e-3 * std::sin(0.2 * i), 0.05e-3 * i);
+    Picture with = picture;
+    with.thread = {coil};
+    const auto shadow = [&](Level level) {
+        const Image bare = render(canvas(), picture, level), cast = render(canvas(), with, level);
+        std::vector<bool> dark;
+        for (int y = 0; y < bare.height; ++y)
+            for (int x = 0; x < bare.width; ++x)
+                dark.push_back(!at(cast, x, y).suture() && at(cast, x, y).light() < at(bare, x, y).light() - 60);
+        return dark;
+    };
+    const auto full = shadow(Level::full), light = shadow(Level::light);
+    int both = 0, either = 0;
+    for (std::size_t i = 0; i < full.size(); ++i) both += full[i] && light[i], either += full[i] || light[i];
+    EXPECT_GT(both, 1000);
+    EXPECT_GT(both, 0.75 * either);
+}
+
 // What lies under a vessel is looked at from below, through where the cloth would be.
 TEST_P(Levels, TheDrapeIsNotSeenFromBelow) {
     Picture picture = vessel_picture();

@@ -139,6 +139,25 @@ TEST(Helps, WhatWouldBeTakenIsLit) {
     EXPECT_NEAR(Changed(without, rendered(picture)).left, project(picture, {5e-3, 0, 0}).x(), 9);
 }
 
+// A place to go to must be seen in depth too, and not hide the thread that is in it.
+TEST(Helps, APlaceIsAsLargeAsItSaysAndSeenThrough) {
+    Picture picture = thread_picture(line({-12e-3, 0, 0}, {12e-3, 0, 0}), 0.15e-3);
+    const Image without = rendered(picture);
+    picture.helps.places = {{{0, 0, 0}, 4e-3}};
+    const Image with = rendered(picture);
+    const double pixels =
+        picture.height / (2 * std::tan(picture.camera.field_of_view / 2)) / project(picture, Vec3::Zero()).z();
+    EXPECT_NEAR(Changed(without, with).width(), 8e-3 * pixels, 4);
+    const Vec3 thread = project(picture, {2e-3, 0, 0});
+    const Color through = at(with, static_cast<int>(thread.x()), static_cast<int>(thread.y()));
+    EXPECT_LT(through.red, 140) << "the thread is hidden";
+    picture.drape = -8e-3;
+    Picture bare = picture;
+    bare.helps.places.clear();
+    EXPECT_GT(Changed(rendered(bare), rendered(picture)).bottom, project(picture, {0, 0, -7.5e-3}).y())
+        << "no plumb line";
+}
+
 // A ghost that hid what lies behind it would hide the knot it is to teach; one that cast a shadow would be taken for a
 // tool.
 TEST(Helps, AGhostIsSeenThroughAndCastsNoShadow) {
