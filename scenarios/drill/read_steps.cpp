@@ -29,7 +29,6 @@ Names named_by(EventKind kind) {
             return Names::vessel;
         case EventKind::knot:
             return Names::knot;
-        case EventKind::held_up:  // by somebody, which a step need not know
         case EventKind::broken:
         case EventKind::pass_through:
             return Names::nobody;

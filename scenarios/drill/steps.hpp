@@ -28,7 +28,7 @@ struct NearCondition {
 /// That something happened since the step began.
 struct EventCondition {
     world::EventKind kind;  ///< What.
-    std::string what;       ///< To whom or by whom, as world::Event::what; empty: to anybody.
+    std::string what;       ///< Instrument or vessel that world::Event::what names first; empty: any.
 };
 
 /// When a step is done: as soon as all that is asked for holds at once. At least one thing is asked for.

@@ -52,6 +52,12 @@ bool is_tied(const World& world, const drill::Done& done) {
     return static_cast<int>(name.throw_list.size()) >= done.throws;
 }
 
+// An event says "left", "left by the thread" or "left, graft": names have neither blanks nor commas.
+bool is_of(const std::string& what, const std::string& name) {
+    return name.empty() ||
+           (what.starts_with(name) && (what.size() == name.size() || what.find_first_of(" ,") == name.size()));
+}
+
 }  // namespace
 
 bool Guide::is_done(const drill::Done& done, const World& world) const {
@@ -68,8 +74,7 @@ void Guide::after_tick(const World& world) {
     if (!current) return;
     for (const auto all = world.events(); events_seen_ < all.size(); ++events_seen_) {
         const auto& [t_s, kind, what, value] = all[events_seen_];
-        if (const auto& asked = current->done.event)
-            event_came_ |= kind == asked->kind && (asked->what.empty() || what == asked->what);
+        if (const auto& asked = current->done.event) event_came_ |= kind == asked->kind && is_of(what, asked->what);
     }
     const auto is_behind = [&](std::size_t i) {
         const drill::Done& done = steps_[i].done;

@@ -14,7 +14,7 @@ namespace scenarios::session {
 /// A step is done when all of its conditions hold at once, one step a tick at most. A step that asks for a knot or
 /// bites is done also while an earlier one is not: the work is there, so what was to lead to it is passed over. Steps
 /// once done stay done.
-/// Cost: less than a microsecond a tick.
+/// Cost: one to three microseconds a tick.
 class Guide {
   public:
     /// How a step was left behind.

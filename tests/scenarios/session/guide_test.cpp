@@ -98,7 +98,7 @@ TEST(Guide, AsksForAllConditionsAtOnce) {
 // What happened before a step began is not what it asks for.
 TEST(Guide, AnEventCountsFromTheStepsBeginningOn) {
     const Done grasped{.event = {{EventKind::grasp, "left"}}};
-    Play play({held(1, Held::thread), grasped});
+    Play play({held(1, Held::thread), grasped, grasped});
     play.set_jaw(0, 0);
     play.set_jaw(1, 0);
     play.go(5);
@@ -108,7 +108,25 @@ TEST(Guide, AnEventCountsFromTheStepsBeginningOn) {
     EXPECT_EQ(play.guide.step(), 1u) << "the other hand grasped";
     play.set_jaw(0, 1);
     play.set_jaw(0, 0);
-    EXPECT_EQ(play.guide.step(), 2u);
+    EXPECT_EQ(play.guide.step(), 2u) << "the third asks for another grasp";
+    play.set_jaw(0, 1);
+    play.set_jaw(0, 0);
+    EXPECT_EQ(play.guide.step(), 3u);
+}
+
+// Events name more than who did it: "left by the thread".
+TEST(Guide, AnEventIsOfWhoItNamesFirst) {
+    for (const auto& [asked, is_done] : {std::pair("left", true), {"lef", false}, {"right", false}, {"", true}}) {
+        Play play({{.event = {{EventKind::held_up, asked}}}});
+        play.set_jaw(0, 0);
+        play.set_jaw(1, 0);
+        for (int tick = 0; tick < 300; ++tick) {
+            play.scene.tools[0].pose.position.x() -= 0.02 * mm;
+            play.go();
+        }
+        EXPECT_EQ(count(play.world, EventKind::held_up), 1u);
+        EXPECT_EQ(play.guide.step(), is_done ? 1u : 0u) << asked;
+    }
 }
 
 // An overhand (Shastri's polynomial, its ends bent to the axis) that nobody touches.
