@@ -1,9 +1,12 @@
 #include "scenarios/session/history.hpp"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include <chrono>
 #include <fstream>
+#include <set>
+#include <thread>
 
 #include "scenarios/recording/recording.hpp"
 #include "scenarios/session/recordings_folder.hpp"
@@ -53,6 +56,51 @@ TEST(History, AnAttemptIsReadFromItsRecordingAlone) {
     EXPECT_EQ(attempt.items, (std::vector{path("812.4", true), path("950.0", false)}));
     record(folder / "b.carrel", 100, {path("812.4", true)});
     EXPECT_TRUE(scenarios::session::read_attempt(folder / "b.carrel").passed);
+}
+
+// A second's recording of a session at this pace and with these marks.
+Attempt played(const fs::path& file, const scenarios::recording::Circumstances& session, double rate,
+               const std::vector<scenarios::recording::Mark>& marks = {}) {
+    auto head = session::head();
+    head.session = session;
+    scenarios::recording::Recorder recorder(file, head, {.clock = [] { return 0.0; }});
+    for (std::uint64_t t = 0; t < 1000; ++t) recorder.add_tick(session::tools_at(t));
+    recorder.add_pace({.tick = 1000, .wall_s = 1 / rate, .rate = rate});
+    for (const auto& mark : marks) recorder.add_mark(mark);
+    recorder.set_scores({path("812.4", true)});
+    recorder.finish();
+    return scenarios::session::read_attempt(file);
+}
+
+// What is kept apart later is read right: exams, help of any sort, and computers that were too slow.
+TEST(History, KnowsExamsHelpAndSlowComputers) {
+    const Folder folder;
+    const auto file = folder / "a.carrel";
+    const Attempt plain = played(file, {}, 0.99);
+    EXPECT_FALSE(plain.exam || plain.assisted);
+    EXPECT_TRUE(plain.comparable && plain.passed);
+    EXPECT_TRUE(played(file, {.exam = true}, 1).exam);
+    EXPECT_TRUE(played(file, {.assists = "wrist"}, 1).assisted);
+    EXPECT_TRUE(played(file, {}, 1, {{500, "assist", "snap on"}, {600, "assist", "snap off"}}).assisted);
+    EXPECT_FALSE(played(file, {}, 1, {{0, "assist", "snap off"}, {500, "note", "here on"}}).assisted);
+    EXPECT_TRUE(played(file, {}, 1, {{500, "pace", "0.250000"}}).assisted) << "slow motion is help";
+    EXPECT_FALSE(played(file, {.pace = 0.35}, 0.34, {{0, "pace", "0.350000"}}).assisted) << "the drill is that slow";
+    EXPECT_TRUE(played(file, {.pace = 0.35}, 0.34).comparable);
+    EXPECT_FALSE(played(file, {}, 0.9).comparable);
+}
+
+TEST(History, RecordingsOfTheFirstVersionAreUnassistedPractice) {
+    const Folder folder;
+    played(folder / "a.carrel", {.assists = "wrist", .exam = true}, 0.5);
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open((folder / "a.carrel").c_str(), &database), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(database, "PRAGMA user_version=1; DROP TABLE session; DROP TABLE mark; DROP TABLE pace",
+                           nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    sqlite3_close(database);
+    const Attempt attempt = scenarios::session::read_attempt(folder / "a.carrel");
+    EXPECT_FALSE(attempt.exam || attempt.assisted);
+    EXPECT_TRUE(attempt.comparable && attempt.passed);
 }
 
 TEST(History, AFolderIsReadInOrderOfTimeAndNeverWrittenTo) {
@@ -158,6 +206,21 @@ TEST(Recordings, NextFileNeverTouchesOneThatIsThere) {
     EXPECT_EQ(fs::file_size(folder / "who/square-knot-0041.carrel"), 4u);
     std::ofstream(folder / "file") << "no folder";
     EXPECT_THROW(scenarios::session::make_next_recording(folder / "file", "a"), std::runtime_error);
+}
+
+// Two windows begin at once: neither may record into the other's file.
+TEST(Recordings, NobodyGetsTheSameFileTwice) {
+    const Folder folder;
+    std::vector<std::set<fs::path>> made(4);
+    std::vector<std::thread> windows;
+    for (auto& files : made)
+        windows.emplace_back([&] {
+            for (int i = 0; i < 50; ++i) files.insert(scenarios::session::make_next_recording(folder / "who", "a"));
+        });
+    for (auto& window : windows) window.join();
+    std::set<fs::path> all;
+    for (const auto& files : made) all.insert(files.begin(), files.end());
+    EXPECT_EQ(all.size(), 200u);
 }
 
 TEST(Recordings, LieWhereTheDesktopStandardSays) {
