@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <future>
 #include <map>
 
 #include "scenarios/recording/outline.hpp"
@@ -48,6 +49,39 @@ class Reader {
     std::map<std::string, Known> drills_;  // by text
 };
 
+// What was found in some files.
+struct Found {
+    std::vector<Attempt> attempts;
+    std::vector<std::string> unreadable;
+};
+
+// Of a folder that nobody has looked into for long, one reader waits for the disk most of the time.
+constexpr std::size_t readers = 4;
+
+Found read_all(std::span<const std::filesystem::path> files) {
+    Found found;
+    Reader reader;
+    for (const auto& file : files) try {
+            found.attempts.push_back(reader.read(file));
+        } catch (const recording::RecordingError& error) {
+            found.unreadable.push_back(error.what());
+        }
+    return found;
+}
+
+// By name, so that what is told of them is in the same order on every disk.
+std::vector<std::filesystem::path> recordings_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
+        std::error_code gone;
+        const bool is_begun = entry.file_size(gone) > 0;  // an empty one is about to be recorded into
+        if (entry.path().extension() == ".carrel" && !gone && is_begun) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 void add(Tally& tally, std::span<const Attempt> attempts, std::size_t i) {
     const Attempt& attempt = attempts[i];
     if (!attempt.finished && !attempt.exam) return;
@@ -70,22 +104,22 @@ Attempt read_attempt(const std::filesystem::path& file) {
 }
 
 std::vector<Attempt> attempts_in(const std::filesystem::path& folder, std::vector<std::string>* unreadable) {
-    std::vector<Attempt> attempts;
-    Reader reader;
-    std::error_code missing;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
-        std::error_code gone;
-        const bool is_begun = entry.file_size(gone) > 0;  // an empty one is about to be recorded into
-        if (entry.path().extension() != ".carrel" || gone || !is_begun) continue;
-        try {
-            attempts.push_back(reader.read(entry.path()));
-        } catch (const recording::RecordingError& error) {
-            if (unreadable) unreadable->push_back(error.what());
-        }
+    const std::vector<std::filesystem::path> files = recordings_in(folder);
+    std::vector<std::future<Found>> parts;
+    for (std::size_t k = 0; k < readers; ++k)
+        parts.push_back(std::async(std::launch::async, [&, k] {
+            const std::size_t begin = k * files.size() / readers, end = (k + 1) * files.size() / readers;
+            return read_all(std::span(files).subspan(begin, end - begin));
+        }));
+    Found all;
+    for (auto& part : parts) {
+        Found found = part.get();
+        std::ranges::move(found.attempts, std::back_inserter(all.attempts));
+        if (unreadable) std::ranges::move(found.unreadable, std::back_inserter(*unreadable));
     }
     const auto order = [](const Attempt& of) { return std::tie(of.recorded_at, of.file); };
-    std::sort(attempts.begin(), attempts.end(), [&](auto& a, auto& b) { return order(a) < order(b); });
-    return attempts;
+    std::sort(all.attempts.begin(), all.attempts.end(), [&](auto& a, auto& b) { return order(a) < order(b); });
+    return std::move(all.attempts);
 }
 
 std::vector<Attempt> attempts_at(std::span<const Attempt> attempts, const std::string& key) {

@@ -34,8 +34,8 @@ struct Attempt {
 Attempt read_attempt(const std::filesystem::path& file);
 
 /// All attempts among the files of a folder that end in ".carrel", in order of time; none where there is no such
-/// folder. What cannot be read is left out, and `unreadable`, where given, gets its line. Cost: as many times that of
-/// recording::read_outline(), and some milliseconds for each different drill.
+/// folder. What cannot be read is left out, and `unreadable`, where given, gets its line. Cost: a thousand recordings
+/// in 1 to 2 s from a disk that nobody has looked at for long, half of that again; read on four threads.
 std::vector<Attempt> attempts_in(const std::filesystem::path& folder, std::vector<std::string>* unreadable = nullptr);
 
 /// Those at the drill of this key, in the same order.
