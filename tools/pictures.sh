@@ -1,6 +1,6 @@
 #!/bin/sh
 # Draws docs/pictures anew: each shipped drill from afar and from near, some seconds after its start by its own motion.
-# Run in the source tree after `make build`; needs ImageMagick's convert. Takes some 10 minutes: the stitches are slow.
+# Run in the source tree after `make build`; needs ImageMagick's convert. Takes some 5 minutes.
 set -e
 out=docs/pictures
 mkdir -p "$out"
@@ -20,16 +20,16 @@ while read -r drill far near; do
     picture "$drill" "$far" far
     [ "$near" = - ] || picture "$drill" "$near" near --close
 done <<END
-square-knot 12 17.9
+square-knot 13.5 17.9
 granny-knot 10 19
 surgeons-knot 11 21
 assisted-square-knot 15 30
 assisted-granny-knot 15 32
 assisted-surgeons-knot 15 37
 single-bite 6 12
-interrupted-stitch 4.3 69
-end-to-end-running 5 5
-end-to-end-interrupted 5 5
-stay-sutures 5 5
+interrupted-stitch 4.35 4.35
+end-to-end-running 4 6
+end-to-end-interrupted 13 13
+stay-sutures 13 13
 first-moves 6.5 -
 END
