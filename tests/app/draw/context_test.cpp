@@ -24,11 +24,13 @@ class Elsewhere {
     }
     ~Elsewhere() { OSMesaDestroyContext(context_); }
     void make_current() { OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height); }
-    /// Makes all of it one grey.
+    /// Makes all of it one grey, a quarter of the way to the far end.
     void fill(int grey) {
         const auto share = static_cast<float>(grey) / 255;
         reinterpret_cast<PFNGLCLEARCOLORPROC>(OSMesaGetProcAddress("glClearColor"))(share, share, share, 1);
-        reinterpret_cast<PFNGLCLEARPROC>(OSMesaGetProcAddress("glClear"))(GL_COLOR_BUFFER_BIT);
+        reinterpret_cast<PFNGLCLEARDEPTHPROC>(OSMesaGetProcAddress("glClearDepth"))(0.25);
+        reinterpret_cast<PFNGLCLEARPROC>(OSMesaGetProcAddress("glClear"))(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        reinterpret_cast<PFNGLCLEARDEPTHPROC>(OSMesaGetProcAddress("glClearDepth"))(1);
     }
     /// Part of what the window shows, its lower left pixel first.
     Image shown(Gl& gl, int x, int y, int wide, int high) const {
@@ -87,6 +89,9 @@ TEST(Context, AWindowShowsWhatIsDrawnInMemory) {
                                                std::array{576, 0, 64, 400}, std::array{0, 360, 640, 40}})
             for (const unsigned char value : window.shown(context.gl(), x, y, wide, high).pixels)
                 ASSERT_EQ(value, 77) << "a pixel beside the picture";
+        float depth = 0;
+        context.gl().ReadPixels(5, 5, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+        EXPECT_NEAR(depth, 0.25, 1e-3) << "depth beside the picture";
     }
 }
 

@@ -34,7 +34,7 @@ std::vector<assets::Mesh> sewn_walls() {
 
 /// Sum of the brightness of squares of this many pixels, row by row; negative where a square has anything but flesh.
 struct Patches {
-    static constexpr int size = 6;
+    static constexpr int size = 3;
     int across, down;
     std::vector<double> light;
 
@@ -60,7 +60,7 @@ struct Patches {
             for (int x = i - 1; x <= i + 1; ++x)
                 if ((x != i || y != j) && light[y * across + x] >= 0) sum += light[y * across + x], ++count;
         const double own = light[j * across + i];
-        return own < 0 || count < 5 ? 1 : own / (sum / count);
+        return own < 0 || count < 6 ? 1 : own / (sum / count);
     }
 };
 
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Field, Levels, testing::Values(Level::full, Level::ligh
                          [](const auto& level) { return level.param == Level::full ? "Full" : "Light"; });
 
 // Dark slivers about bites looked like torn tissue: faces that fold over were lit from behind, and the shadow of a
-// crease on itself was black.
+// crease on itself was black. A fifth is what a person takes for a sliver; flesh lit as it should be has two thirds.
 TEST_P(Levels, ASewnWallHasNoDarkSlivers) {
     Picture picture = thread_picture({}, 42e-6);
     picture.vessels = sewn_walls();
@@ -99,7 +99,7 @@ TEST_P(Levels, ASewnWallHasNoDarkSlivers) {
                 for (int i = 1; i + 1 < patches.across; ++i) {
                     if (std::abs(i + 0.5 - seam) < 2) continue;  // between the cuts: the lumen
                     flesh += patches.light[j * patches.across + i] >= 0;
-                    ASSERT_GE(patches.share(i, j), 0.2) << "at " << i * Patches::size << ", " << j * Patches::size;
+                    ASSERT_GE(patches.share(i, j), 0.6) << "at " << i * Patches::size << ", " << j * Patches::size;
                 }
         }
     EXPECT_GT(flesh, 10000) << "the pictures show no wall";
@@ -174,6 +174,22 @@ TEST_P(Levels, TheDrapeIsNotSeenFromBelow) {
     picture.camera.position.z() *= -1;
     picture.drape = 5e-3;
     EXPECT_FALSE(seen_at(rendered(picture), picture, {0, 0, 0}).flesh()) << "there is a drape";
+}
+
+// Beyond the cloth's edge, and above the horizon, is the background and not what was drawn there before.
+TEST_P(Levels, BeyondTheDrapeIsTheBackground) {
+    Picture picture = thread_picture({}, 1e-3);
+    picture.camera.position = {0, -0.09, 0.004};
+    const Image bare = rendered(picture);
+    Picture other = vessel_picture();
+    other.camera.position *= 0.2;
+    rendered(other);  // red all over
+    picture.drape = -5e-3;
+    const Image image = rendered(picture);
+    EXPECT_EQ(at(image, 240, 2).light(), at(bare, 240, 2).light());
+    EXPECT_GT(std::abs(at(image, 240, 310).light() - at(bare, 240, 310).light()), 20) << "no cloth";
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; x += 4) ASSERT_FALSE(at(image, x, y).flesh()) << x << ", " << y;
 }
 
 // The light level shows the same scene: a thread beside where the full one has it would teach a wrong knot.
