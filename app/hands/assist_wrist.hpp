@@ -7,8 +7,13 @@ namespace app::hands {
 /// The rotation nearest to `rotation` with jaws square to a strand that goes `along`: their hinge's axis along it.
 Quat square_to(const Quat& rotation, const Vec3& along);
 
-/// Assist "wrist" of one instrument: it keeps its turn in the picture, whatever the camera does, and its open jaws turn
-/// square to the strand within 5 mm, the more the nearer: so the hand has only to move.
+/// `rotation` rolled about the shaft so that the jaws open across a strand that goes `along`; itself where that goes
+/// nearly along the shaft.
+Quat rolled_across(const Quat& rotation, const Vec3& along);
+
+/// Assist "wrist" of one instrument: it keeps its turn in the picture, whatever the camera does, and its open jaws roll
+/// square to the strand within 5 mm, the more the nearer: so the hand has only to move. The shaft does not swing: it
+/// would sweep away the loops that lie round it.
 class Wrist {
   public:
     static constexpr double reach = 5e-3;  ///< Strands nearer than this are followed [m].

@@ -20,7 +20,7 @@ struct AssistRow {
 /// Every assist once, in the order of the enumeration.
 inline constexpr std::array assist_rows{
     AssistRow{Assist::wrist, "wrist",
-              "instruments keep their turn in the picture; open jaws turn square to the strand "
+              "instruments keep their turn in the picture; open jaws roll square to the strand "
               "within 5 mm"},
     AssistRow{Assist::snap, "snap", "what the jaws would take within 3 mm is lit; closing glides there, then closes"},
     AssistRow{Assist::needle_wheel, "needle-wheel", "N: the wheel turns the held needle about its own circle"},

@@ -177,8 +177,9 @@ void Hands::press_jaw(int instrument, bool down) {
 
 void Hands::shut(Helped& tool) {
     tool.jaw_goal = 0;
-    const bool is_lit = tool.near && tool.near->distance <= Snap::reach;
-    if (has(Assist::snap) && is_lit) tool.snap.begin(tool);
+    if (!has(Assist::snap) || !tool.near || tool.near->distance > Snap::reach) return;
+    // Jaws about a wall are to take that.
+    if (tool.near->distance < distance_to_wall(*world_, bite_of(tool.at.pose))) tool.snap.begin(tool);
 }
 
 void Hands::move() {

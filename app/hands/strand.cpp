@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app::hands {
 
@@ -51,6 +52,13 @@ std::optional<Takeable> nearest_takeable(const World& world, int tool, const Vec
                          needle.now.at(needle.now.length() * (k + 1) / looks), [] { return true; });
     if (nearest.way.isZero(0)) return {};
     return Takeable{nearest.at, nearest.way.normalized(), std::sqrt(nearest.distance2)};
+}
+
+double distance_to_wall(const World& world, const Vec3& point) {
+    double least2 = std::numeric_limits<double>::infinity();
+    for (const auto& vessel : world.vessels())
+        for (const Vec3& node : vessel.tissue.nodes()) least2 = std::min(least2, (node - point).squaredNorm());
+    return std::sqrt(least2);
 }
 
 double along_thread(const World& world, int node) {

@@ -20,6 +20,9 @@ struct Takeable {
 /// `within` [m]. O(links).
 std::optional<Takeable> nearest_takeable(const World& world, int tool, const Vec3& point, double within);
 
+/// How far `point` is from the nearest wall that gives way [m], by its nodes; infinite where there is none. O(nodes).
+double distance_to_wall(const World& world, const Vec3& point);
+
 /// How far a node is along the thread, from the first node of all [m]. O(links).
 double along_thread(const World& world, int node);
 /// The place that far along, and how the thread goes there. O(links).

@@ -20,8 +20,8 @@ Settings with(const std::string& names) {
 // The knot drill with the right instrument's open tips at a place beside the tail, which lies along y at x = -14 mm,
 // z = 3 mm.
 struct AtTheTail : Scene {
-    AtTheTail(const Settings& settings, const Vec3& bite, double yaw = 0) : Scene("square-knot", settings) {
-        const Quat turned = Quat(Eigen::AngleAxisd(yaw, Vec3::UnitZ())) * inputs[1].pose.rotation;
+    AtTheTail(const Settings& settings, const Vec3& bite, double roll = 0) : Scene("square-knot", settings) {
+        const Quat turned = inputs[1].pose.rotation * Quat(Eigen::AngleAxisd(roll, Vec3::UnitZ()));
         lead(1, {{bite + bite_depth * (turned * Vec3::UnitZ()), turned}, 0.7}, settings);
     }
     // Brings an instrument somewhere, without a jump, and gives it new hands there.
@@ -112,7 +112,7 @@ TEST(Assists, SnapLeavesWhatIsFar) {
     EXPECT_EQ(scene.inputs[1].jaw, 0);
 }
 
-TEST(Assists, WristTurnsOpenJawsSquareToTheStrandNearby) {
+TEST(Assists, WristRollsOpenJawsSquareToTheStrandNearby) {
     constexpr double askew = 0.9;
     AtTheTail scene(with("wrist"), tail + Vec3(1e-3, 0, 0.5e-3), askew);
     const Quat before = scene.inputs[1].pose.rotation;
@@ -121,6 +121,7 @@ TEST(Assists, WristTurnsOpenJawsSquareToTheStrandNearby) {
     scene.ticks(1000);
     EXPECT_LT(off_square(scene.inputs[1].pose.rotation, Vec3::UnitY()), 0.25) << "the tail itself may have moved";
     EXPECT_EQ(scene.inputs[1].pose.position, place);
+    EXPECT_LT((scene.inputs[1].pose.rotation * Vec3::UnitZ() - before * Vec3::UnitZ()).norm(), 1e-6) << "it swings";
     // Away from it the instrument is as it was in the picture again.
     scene.post(Wheel{-30});
     scene.ticks(1500);
