@@ -36,7 +36,9 @@ static std::string counted(std::size_t step, std::size_t count) {
 
 void draw_guide(Shell& shell, const Drill& drill, const GuideView& guide) {
     const Fonts& fonts = shell.window.fonts();
-    begin_panel(shell, "guide", {0, 0}, 24 * ImGui::GetFontSize());
+    const float em = ImGui::GetFontSize(), room = static_cast<float>(shell.window.width());
+    const Corner corner = is_wide(shell) ? Corner{0.47f, 1} : Corner{0, 0};
+    begin_panel(shell, "guide", corner, is_wide(shell) ? 25 * em : std::min(24 * em, room - 320));
     if (drill.steps.empty()) {
         words(fonts.bold, theme::text, drill.title);
         words(fonts.text, theme::text, drill.description);
@@ -108,7 +110,11 @@ static std::string leader_of(int tool, const hands::HandsView& hands) {
     return tool == hands.mouse ? "mouse" : tool == hands.keys ? "keys" : "";
 }
 
-void draw_tools(Shell& shell, const View& view, const hands::HandsView& hands) {
+bool is_wide(const Shell& shell) {
+    return static_cast<float>(shell.window.width()) > 76 * ImGui::GetFontSize();
+}
+
+float draw_tools(Shell& shell, const View& view, const hands::HandsView& hands) {
     const Fonts& fonts = shell.window.fonts();
     begin_panel(shell, "tools", {0, 1});
     for (std::size_t i = 0; i < view.tools.size(); ++i) {
@@ -134,7 +140,9 @@ void draw_tools(Shell& shell, const View& view, const hands::HandsView& hands) {
         line(fonts.small, theme::dim, in_digits("moves × %.2f", hands.scale * (hands.is_fine ? 0.25 : 1)));
     if (const std::string names = hands.assists.names(); !names.empty())
         line(fonts.small, theme::warning, "assists: " + names);
+    const float high = ImGui::GetWindowHeight();
     end_panel();
+    return high;
 }
 
 std::string knot_words(const std::string& knot) {
@@ -142,10 +150,10 @@ std::string knot_words(const std::string& knot) {
     return knot;
 }
 
-void draw_tension(Shell& shell, const View& view, const Drill& drill) {
+void draw_tension(Shell& shell, const View& view, const Drill& drill, float up) {
     const Fonts& fonts = shell.window.fonts();
     const float em = ImGui::GetFontSize();
-    begin_panel(shell, "tension", {1, 1}, 19 * em);
+    begin_panel(shell, "tension", {1, 1}, 19 * em, -up);
     const auto& band = drill.bands.tension_N;
     const double most = band && std::isfinite(band->high) ? band->high : 2;
     const double full = 1.5 * most;

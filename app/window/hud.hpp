@@ -29,11 +29,14 @@ struct StatusLine {
 };
 void draw_status(Shell& shell, const StatusLine& status, float down);
 
-/// What each instrument holds and who leads it.
-void draw_tools(Shell& shell, const View& view, const hands::HandsView& hands);
+/// What each instrument holds and who leads it; returns how high the panel is [pixels].
+float draw_tools(Shell& shell, const View& view, const hands::HandsView& hands);
 
-/// Tension against its band, and the knot so far.
-void draw_tension(Shell& shell, const View& view, const scenarios::drill::Drill& drill);
+/// Tension against its band, and the knot so far; `up`: how far above the lower edge [pixels].
+void draw_tension(Shell& shell, const View& view, const scenarios::drill::Drill& drill, float up);
+
+/// Whether panels have room beside each other along the lower edge.
+bool is_wide(const Shell& shell);
 
 /// At the jaws: who leads them.
 void draw_marks(Shell& shell, const draw::Picture& picture, const View& view, const hands::HandsView& hands);

@@ -17,6 +17,8 @@ std::optional<hands::Button> button_of(const SDL_Event& event) {
             return hands::Button::left;
         case SDL_BUTTON_RIGHT:
             return hands::Button::right;
+        case SDL_BUTTON_MIDDLE:
+            return hands::Button::middle;
         default:
             return {};
     }
@@ -24,21 +26,24 @@ std::optional<hands::Button> button_of(const SDL_Event& event) {
 
 }  // namespace
 
-std::optional<hands::Press> Input::take(const SDL_Event& event, bool is_caught, hands::Devices& devices) {
-    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) return take_key(event, devices);
+std::optional<hands::Press> Input::take(const SDL_Event& event, Heeds heeds, hands::Devices& devices) {
+    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) return take_key(event, heeds, devices);
     if (event.type == SDL_MOUSEBUTTONDOWN && event.button.button == SDL_BUTTON_MIDDLE) leads_camera_ = true;
     if (event.type == SDL_MOUSEBUTTONUP && event.button.button == SDL_BUTTON_MIDDLE) leads_camera_ = false;
-    if (is_mouse(event) && is_caught && !leads_camera_) take_mouse(event, devices);
+    if (is_mouse(event) && heeds == Heeds::hands && !(leads_camera_ && event.type == SDL_MOUSEMOTION))
+        take_mouse(event, devices);
     return {};
 }
 
-std::optional<hands::Press> Input::take_key(const SDL_Event& event, hands::Devices& devices) {
+std::optional<hands::Press> Input::take_key(const SDL_Event& event, Heeds heeds, hands::Devices& devices) {
     if (event.key.repeat) return {};
     const char* name = SDL_GetScancodeName(event.key.keysym.scancode);
     const auto press = keyboard_.key(bindings_, name, event.type == SDL_KEYDOWN);
     if (!press) return {};
     if (!hands::row_of(press->action).of_hands) return press;
-    devices.post({*press, now_s()});
+    const bool is_heeded =
+        heeds == Heeds::hands || !press->down || (heeds == Heeds::free && press->action == hands::Action::free_pointer);
+    if (is_heeded) devices.post({*press, now_s()});
     return {};
 }
 

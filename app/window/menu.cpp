@@ -26,28 +26,30 @@ void Menu::draw(Shell& shell) {
 void Menu::draw_header(Shell& shell) {
     const float em = ImGui::GetFontSize();
     words(shell.window.fonts().title, theme::text, "Carrel");
+    ImGui::SameLine(0, 2 * em);
     const bool is_wide = static_cast<float>(shell.window.width()) > 64 * em;
-    if (is_wide) {
-        ImGui::SameLine(0, 2 * em);
-        ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.15f * em);
-    }
-    if (shell.ui.text_field("Who plays", shell.settings.who, 11 * em, "a pseudonym"))
-        shell.shelf.look_again(shell.settings);
-    if (ImGui::IsItemDeactivatedAfterEdit()) shell.save();
-    ImGui::SameLine(0, 1.5f * em);
-    if (shell.ui.choice("Practice", !shell.settings.is_exam)) shell.settings.is_exam = false, shell.save();
-    ImGui::SameLine(0, 2);
-    if (shell.ui.choice("Exam", shell.settings.is_exam)) shell.settings.is_exam = true, shell.save();
+    if (is_wide) draw_person(shell);
     const float right = button_width("Settings") + button_width("Quit") + ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SameLine();
     at_right(right);
     if (shell.ui.button("Settings")) shell.next = std::make_unique<SettingsScreen>(shell);
     ImGui::SameLine();
     if (shell.ui.button("Quit")) shell.is_over = true;
+    if (!is_wide) draw_person(shell), ImGui::NewLine();
     words(shell.window.fonts().small, theme::dim,
           shell.settings.is_exam
               ? "Exam: one attempt without help, pause or slow motion; it is recorded."
               : "Practice: guidance, ghost, pause and assists as you like; every attempt is recorded.");
+}
+
+void Menu::draw_person(Shell& shell) {
+    const float em = ImGui::GetFontSize();
+    shell.ui.text_field("Who plays", shell.settings.who, 10 * em, "a pseudonym");
+    if (ImGui::IsItemDeactivatedAfterEdit()) shell.save(), shell.shelf.look_again(shell.settings);
+    ImGui::SameLine(0, 1.5f * em);
+    if (shell.ui.choice("Practice", !shell.settings.is_exam)) shell.settings.is_exam = false, shell.save();
+    ImGui::SameLine(0, 2);
+    if (shell.ui.choice("Exam", shell.settings.is_exam)) shell.settings.is_exam = true, shell.save();
+    ImGui::SameLine();
 }
 
 void Menu::draw_warnings(Shell& shell) {
@@ -94,9 +96,10 @@ void Menu::draw_card(Shell& shell, const ShelfDrill& drill, ImVec2 size) {
     list.AddRectFilled(at, most, is_lit ? theme::raised : theme::panel, 8);
     const float picture = size.x * 0.5f;
     if (const Texture* texture = texture_of(drill)) {
-        const float cut = 0.5f - 0.5f * (picture / size.x) / (texture->size().y / texture->size().x);
-        list.AddImageRounded(texture->id(), at, {most.x, at.y + picture}, {0, cut}, {1, 1 - cut}, IM_COL32_WHITE, 8,
-                             ImDrawFlags_RoundCornersTop);
+        // What is cut off is rather sky than field.
+        const float cut = 1 - (picture / size.x) / (texture->size().y / texture->size().x);
+        list.AddImageRounded(texture->id(), at, {most.x, at.y + picture}, {0, 0.75f * cut}, {1, 1 - 0.25f * cut},
+                             IM_COL32_WHITE, 8, ImDrawFlags_RoundCornersTop);
     }
     list.AddRect(at, most, is_lit ? theme::accent : theme::line, 8);
     const float wide = size.x - 2 * pad;

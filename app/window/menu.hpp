@@ -15,6 +15,7 @@ class Menu : public Screen {
 
   private:
     void draw_header(Shell& shell);
+    void draw_person(Shell& shell);
     void draw_warnings(Shell& shell);
     void draw_shelf(Shell& shell);
     void draw_card(Shell& shell, const ShelfDrill& drill, ImVec2 size);

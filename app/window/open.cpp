@@ -35,8 +35,10 @@ void take_events(Shell& shell, Screen& screen, double last_frame_s) {
     SDL_Event event;
     if (screen.is_moving() && wait_ms > 0) SDL_Delay(static_cast<unsigned>(wait_ms));
     if (!shell.window.next_event(event, screen.is_moving() ? 0 : wait_ms)) return;
+    // Controls see keys once a frame: one that is pressed and let go between two frames would be lost.
+    const auto needs_frame = [&] { return event.type == SDL_KEYDOWN && !shell.window.pointer_is_caught(); };
     do handle(shell, screen, event);
-    while (shell.window.next_event(event, 0));
+    while (!needs_frame() && shell.window.next_event(event, 0));
 }
 
 void draw_frame(Shell& shell, Screen& screen) {
@@ -74,6 +76,7 @@ void run(Shell& shell) {
 void open(const PlayOptions& options) {
     std::string problem;
     Settings settings = load_settings(places().settings, problem);
+    if (!options.drill.empty()) settings.is_exam = options.exam;
     Ui ui(options.ui_dump);
     Window window(settings.scale);
     Places where = places();

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 #include "app/commands/commands.hpp"
-#include "app/draw/camera.hpp"
+#include "app/draw/gl.hpp"
 #include "app/fault.hpp"
+#include "app/files.hpp"
 #include "app/play/picture.hpp"
 #include "app/window/graphics.hpp"
 #include "app/window/hud.hpp"
@@ -61,9 +64,8 @@ hands::Settings hands_of(const Shell& shell, bool is_exam) {
 }
 
 PlayerOptions options_for(const Shell& shell, const std::filesystem::path& drill) {
-    const bool is_exam = shell.options.exam || shell.settings.is_exam;
-    return {hands_of(shell, is_exam), is_exam, shell.options.pace, shell.settings.who, recording_for(shell, drill),
-            shell.window.renderer()};
+    const bool is_exam = shell.settings.is_exam;
+    return {hands_of(shell, is_exam), is_exam, shell.options.pace, shell.settings.who, recording_for(shell, drill)};
 }
 
 // The operative field, with room at the edges for what stands there.
@@ -155,9 +157,17 @@ bool PlayScreen::handle(Shell& shell, const SDL_Event& event) {
     }
     lead_camera(event, shell);
     const bool was_caught = shell.window.pointer_is_caught();
-    const auto press = input_.take(event, was_caught, player_->devices());
+    const auto press = input_.take(event, heeds(), player_->devices());
+    // Space presses what Tab has reached before it ends a pause.
+    const bool is_for_control = press && press->action == Action::pause && state_ != State::playing;
+    if (is_for_control && shell.ui.has_focus()) return false;
     if (press && press->down && act(shell, press->action)) return true;
     return was_caught && event.type != SDL_QUIT && event.type != SDL_WINDOWEVENT;
+}
+
+Heeds PlayScreen::heeds() const {
+    if (state_ != State::playing || shown_.keys) return Heeds::window;
+    return player_->hands().is_free ? Heeds::free : Heeds::hands;
 }
 
 void PlayScreen::lead_camera(const SDL_Event& event, const Shell& shell) {
@@ -212,6 +222,8 @@ bool PlayScreen::act(Shell& shell, Action action) {
             return shell.window.toggle_full_screen(), true;
         case Action::note:
             return player_->live().mark("note", "here"), true;
+        case Action::picture:
+            return wants_picture_ = true, true;
         case Action::all_keys:
             shown_.keys = !shown_.keys;
             if (shown_.keys) pause();
@@ -259,6 +271,9 @@ draw::Picture PlayScreen::picture_of(const View& view, const hands::HandsView& h
     if (is_exam()) return picture;
     if (shown_.ghost && state_ != State::paused)
         picture.ghosts = ghost_.tools(player_->drill(), player_->reference(), player_->guide().step, now_s());
+    if (const auto& steps = player_->drill().steps; shown_.guide && player_->guide().step < steps.size())
+        for (const auto& near : steps[player_->guide().step].done.near)
+            picture.helps.places.push_back({near.place, near.within});
     picture.helps.plumb = picture.helps.contact = picture.helps.strand = true;
     const auto mouse = static_cast<std::size_t>(hands.mouse);
     if (hands.mouse >= 0 && view.tools[mouse].held.empty()) picture.helps.ring_tool = hands.mouse;
@@ -275,9 +290,25 @@ void PlayScreen::draw_scene(Shell& shell, const View& view, const hands::HandsVi
         orbit_->look_at(view.scene.tools[static_cast<std::size_t>(hands.mouse)].pose.position);
     const draw::Picture picture = picture_of(view, hands, width, height);
     draw::draw(shell.graphics.canvas(), picture, shown_.full ? draw::Level::full : draw::Level::light, {});
+    if (std::exchange(wants_picture_, false)) save_picture(shell, picture, view.t_s);
     const draw::Camera& camera = picture.camera;
     player_->devices().look(hands::look_at(camera.position, camera.target, camera.up, camera.field_of_view, height));
     draw_marks(shell, picture, view, hands);
+}
+
+// Beside the recording, named after its moment.
+void PlayScreen::save_picture(Shell& shell, const draw::Picture& picture, double t_s) {
+    char name[60];
+    std::snprintf(name, sizeof name, "-at-%.1f-s.png", t_s);
+    const std::filesystem::path& recording = player_->options().recording;
+    const auto png = draw::encode_png(draw::render(shell.graphics.canvas(), picture));
+    try {
+        write_file(recording.parent_path() / (recording.stem().string() + name),
+                   {reinterpret_cast<const char*>(png.data()), png.size()});
+    } catch (const std::exception& error) {
+        shell.notice = error.what();
+    }
+    shell.graphics.context().gl().BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void PlayScreen::draw_inset(Shell& shell, const View& view) {
@@ -306,121 +337,8 @@ void PlayScreen::draw_panels(Shell& shell, const View& view, const hands::HandsV
                 {view.t_s, player_->drill().time_limit_s, view.pace, player_->live().pace(), frames_.frames_per_s(),
                  frames_.latency_ms(), is_exam(), state_ != State::playing, player_->live().trouble()},
                 down);
-    draw_tools(shell, view, hands);
-    draw_tension(shell, view, player_->drill());
-}
-
-static void begin_dialog(const Shell& shell, const char* name, float width) {
-    const auto wide = static_cast<float>(shell.window.width()), high = static_cast<float>(shell.window.height());
-    ImGui::SetNextWindowPos({wide / 2, high / 2}, 0, {0.5f, 0.5f});
-    const float room = std::min(width * ImGui::GetFontSize(), 0.96f * wide);
-    ImGui::SetNextWindowSizeConstraints({room, 0}, {room, 0.96f * high});
-    ImGui::SetNextWindowBgAlpha(0.95f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10);
-    ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PopStyleVar();
-}
-
-void PlayScreen::draw_before(Shell& shell) {
-    const Fonts& fonts = shell.window.fonts();
-    const auto key = [&](Action action) { return keys_of(bindings_, action); };
-    begin_dialog(shell, "before", 40);
-    words(fonts.title, theme::text, player_->drill().title);
-    words(fonts.text, theme::dim, player_->drill().description);
-    ImGui::Spacing();
-    if (is_exam())
-        words(
-            fonts.bold, theme::warning,
-            "Exam: this is one attempt, without guide, ghost, assists, pause or slow motion. It counts from Begin on.");
-    words(fonts.text, theme::text,
-          "The mouse moves one instrument, its wheel away and towards you; the left button closes its jaws, the right "
-          "one turns it.");
-    words(fonts.text, theme::text,
-          key(Action::k_up) + " " + key(Action::k_left) + " " + key(Action::k_down) + " " + key(Action::k_right) +
-              ", " + key(Action::k_away) + " and " + key(Action::k_towards) + " move the other one, " +
-              key(Action::k_jaw) + " closes its jaws; " + key(Action::swap) + " changes hands.");
-    words(fonts.text, theme::text,
-          key(Action::free_pointer) + " frees the pointer, then Finish scores the attempt; " + key(Action::all_keys) +
-              " shows all keys.");
-    ImGui::Spacing();
-    if (shell.ui.button("Begin", Look::primary)) begin(shell);
-    ImGui::SameLine();
-    if (shell.ui.button("All keys")) shown_.keys = true;
-    ImGui::SameLine();
-    if (shell.ui.button("Menu")) shell.next = std::make_unique<Menu>();
-    ImGui::End();
-}
-
-void PlayScreen::draw_paused(Shell& shell) {
-    const Fonts& fonts = shell.window.fonts();
-    begin_dialog(shell, shown_.keys ? "keys" : "paused", shown_.keys ? 66 : 34);
-    words(fonts.title, theme::text, shown_.keys ? "All keys" : "Paused");
-    if (shown_.keys && state_ != State::paused) {
-        if (shell.ui.button("Back", Look::primary)) shown_.keys = false;
-    } else {
-        if (shell.ui.button("Go on", Look::primary)) go_on();
-        ImGui::SameLine();
-        if (shell.ui.button("Restart")) restart(shell);
-        ImGui::SameLine();
-        if (shell.ui.button("Finish and score")) finish(shell);
-        ImGui::SameLine();
-        if (shell.ui.button("Menu")) shell.next = std::make_unique<Menu>();
-    }
-    shell.ui.say("keys", shown_.keys ? "shown" : "hidden");
-    if (shown_.keys)
-        draw_keys(shell, bindings_);
-    else
-        draw_switches(shell);
-    ImGui::End();
-}
-
-void PlayScreen::draw_switches(Shell& shell) {
-    const Fonts& fonts = shell.window.fonts();
-    const double most = player_->live().declared_pace();
-    words(fonts.bold, theme::text, "Pace");
-    const std::pair<const char*, double> paces[] = {{"1/8", 0.125}, {"1/4", 0.25}, {"1/2", 0.5}, {"Whole", 1}};
-    for (const auto& [label, share] : paces) {
-        if (shell.ui.choice(label, std::abs(pace_ - share * most) < 1e-3)) pace_ = share * most;
-        ImGui::SameLine();
-    }
-    ImGui::NewLine();
-    words(fonts.bold, theme::text, "Help");
-    shell.ui.checkbox("Guide", shown_.guide);
-    ImGui::SameLine();
-    shell.ui.checkbox("Ghost", shown_.ghost);
-    ImGui::SameLine();
-    shell.ui.checkbox("Second camera", shown_.second_camera);
-    words(fonts.bold, theme::text, "Assists: an attempt with one of them is kept apart from those without");
-    for (const auto& row : hands::assist_rows) {
-        bool is_on = assists_.has(row.assist);
-        if (shell.ui.checkbox(row.name, is_on)) {
-            assists_.set(row.assist, is_on);
-            player_->devices().post({hands::Switch{row.assist, is_on}, now_s()});
-        }
-        ImGui::SameLine();
-        words(fonts.small, theme::dim, row.help);
-    }
-}
-
-// While the pointer is free and time goes on.
-void PlayScreen::draw_actions(Shell& shell) {
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({static_cast<float>(shell.window.width()) / 2, em}, 0, {0.5f, 0});
-    ImGui::Begin("actions", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysAutoResize);
-    words(shell.window.fonts().small, theme::dim,
-          "The pointer is free: " + keys_of(bindings_, Action::free_pointer) + " gives the hand back.");
-    if (shell.ui.button("Finish and score", Look::primary)) finish(shell);
-    ImGui::SameLine();
-    if (!is_exam() && shell.ui.button("Pause")) pause();
-    if (!is_exam()) ImGui::SameLine();
-    if (shell.ui.button("All keys")) act(shell, Action::all_keys);
-    ImGui::SameLine();
-    if (shell.ui.button("Menu")) shell.next = std::make_unique<Menu>();
-    ImGui::End();
+    const float high = draw_tools(shell, view, hands);
+    draw_tension(shell, view, player_->drill(), is_wide(shell) ? 0 : high + 0.3f * ImGui::GetFontSize());
 }
 
 }  // namespace app::window

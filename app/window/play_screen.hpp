@@ -43,6 +43,7 @@ class PlayScreen : public Screen {
     enum class State { before, playing, paused };
 
     bool act(Shell& shell, hands::Action action);
+    Heeds heeds() const;
     void lead_camera(const SDL_Event& event, const Shell& shell);
     void begin(Shell& shell);
     void pause();
@@ -55,6 +56,7 @@ class PlayScreen : public Screen {
 
     void note_frame();
     void draw_scene(Shell& shell, const View& view, const hands::HandsView& hands);
+    void save_picture(Shell& shell, const draw::Picture& picture, double t_s);
     void draw_inset(Shell& shell, const View& view);
     void draw_panels(Shell& shell, const View& view, const hands::HandsView& hands);
     void draw_before(Shell& shell);
@@ -73,6 +75,7 @@ class PlayScreen : public Screen {
     State state_ = State::before;
     double pace_ = 1, asked_pace_ = 1;
     hands::Assists assists_;
+    bool wants_picture_ = false;
     FrameMeter frames_;
     std::optional<double> drawn_device_s_, shown_device_s_;
 };

@@ -1,9 +1,9 @@
 #include "app/window/player.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
-#include "app/build_info.hpp"
 #include "app/commands/tool_starts.hpp"
 #include "app/fault.hpp"
 #include "app/machine.hpp"
@@ -20,23 +20,24 @@ double now_s() {
 
 namespace {
 
-std::vector<std::string> names_of(const Drill& drill) {
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    return names;
-}
-
 scenarios::drill::Motion motion_of(const Drill& drill, const std::filesystem::path& file) {
     if (drill.motion.empty())
         throw InputFault(file.string() +
                          ": error: /motion: the drill names no motion, so where its tools start is not known");
-    return scenarios::drill::load_motion(drill.motion, names_of(drill));
+    return scenarios::drill::load_motion(drill.motion, scenarios::drill::instrument_names(drill));
 }
 
+// Hands do not wait for the disk.
 scenarios::recording::Recorder recorder_of(const Drill& drill, const std::filesystem::path& file,
                                            const PlayerOptions& options) {
-    return {options.recording,
-            {drill.text, file.string(), build_name(), drill.world.tick_s, names_of(drill), assets_of(drill.world)}};
+    std::string assists = options.hands.assists.names();
+    std::replace(assists.begin(), assists.end(), ',', ' ');
+    const scenarios::recording::Circumstances session{.who = options.who,
+                                                      .device = "mouse and keys",
+                                                      .assists = assists,
+                                                      .exam = options.is_exam,
+                                                      .pace = drill.pace};
+    return {options.recording, head_of(drill, file.string(), session), {scenarios::recording::wall_clock, false}};
 }
 
 void sleep_for(double seconds) {

@@ -22,7 +22,6 @@ struct PlayerOptions {
     std::optional<double> pace;       ///< Simulated seconds a second; none: as the drill declares.
     std::string who;                  ///< Pseudonym of the person.
     std::filesystem::path recording;  ///< File that the attempt is recorded to.
-    std::string graphics;             ///< What draws, in words, for the recording.
 };
 
 /// Seconds of a clock that never goes back: stamps of devices and the time of ticks.

@@ -52,6 +52,7 @@ void ResultScreen::draw_header(Shell& shell) {
     const float right =
         button_width("Again") + button_width("Menu") + button_width("Report") + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < right) ImGui::NewLine();
     at_right(right);
     if (shell.ui.button("Again", Look::primary)) {
         shell.next = open_drill(shell, player_->file());
@@ -98,16 +99,21 @@ void ResultScreen::draw_item(Shell& shell, const ScoreItem& item, Standing stand
 
 void ResultScreen::draw_picture(Shell& shell, const std::string& item) {
     const float em = ImGui::GetFontSize();
-    const ImVec2 size{13.5f * em, 9 * em};
+    const ImVec2 size{10.5f * em, 7 * em};
     if (auto image = work_.take_picture(item)) textures_.emplace(item, Texture(*image));
     const auto found = textures_.find(item);
     if (found != textures_.end()) {
         ImGui::Image(found->second.id(), size);
+        if (ImGui::IsItemHovered()) {
+            ImGui::BeginTooltip();
+            ImGui::Image(found->second.id(), {36 * em, 24 * em});
+            ImGui::EndTooltip();
+        }
         shell.ui.say("picture " + item, "drawn");
     } else {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, theme::panel, 6);
-        ImGui::GetWindowDrawList()->AddText({at.x + em, at.y + 4 * em}, theme::dim, "drawing the moment …");
+        ImGui::GetWindowDrawList()->AddText({at.x + em / 2, at.y + 3 * em}, theme::dim, "drawing the moment …");
         ImGui::Dummy(size);
     }
     ImGui::SameLine(0, em);

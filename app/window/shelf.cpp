@@ -40,10 +40,13 @@ std::vector<fs::path> drill_files(const fs::path& folder) {
 
 ShelfDrill read_drill(const fs::path& file) try {
     const auto drill = scenarios::drill::load_drill(file);
-    const std::string problem = drill.motion.empty() ? "it names no motion to start from" : "";
-    return {file, drill.title, drill.description, problem, scenarios::drill::history_key(drill), "", "", {}};
+    ShelfDrill read{.file = file, .title = drill.title, .goal = drill.description};
+    if (drill.motion.empty()) read.problem = "it names no motion to start from";
+    read.level = 10 * static_cast<int>(drill.world.instruments.size()) + (drill.goals.empty() ? 0 : 1);
+    read.key = scenarios::drill::history_key(drill);
+    return read;
 } catch (const std::exception& error) {
-    return {file, file.filename().string(), "", error.what(), "", "", "", {}};
+    return {.file = file, .title = file.filename().string(), .problem = error.what()};
 }
 
 std::string day_of(std::int64_t s_since_1970) {
@@ -159,11 +162,16 @@ void Shelf::run(const std::stop_token& stop) {
 
 void Shelf::read(const std::vector<fs::path>& folders, const std::stop_token& stop) {
     std::vector<ShelfDrill> all;
-    for (const fs::path& folder : folders)
+    for (const fs::path& folder : folders) {
+        std::vector<ShelfDrill> in_folder;
         for (const fs::path& file : drill_files(folder)) {
             if (stop.stop_requested()) return;
-            all.push_back(read_drill(file));
+            in_folder.push_back(read_drill(file));
         }
+        std::stable_sort(in_folder.begin(), in_folder.end(),
+                         [](const auto& a, const auto& b) { return a.level < b.level; });
+        std::move(in_folder.begin(), in_folder.end(), std::back_inserter(all));
+    }
     const std::scoped_lock lock(mutex_);
     for (ShelfDrill& drill : all)  // what was drawn before is shown until it is looked at again
         for (const ShelfDrill& old : drills_)

@@ -14,12 +14,15 @@ namespace app::window {
 
 /// A drill file, as the menu shows it.
 struct ShelfDrill {
-    std::filesystem::path file;          ///< Where it is.
-    std::string title, goal;             ///< For people; the title of a broken file is its name.
-    std::string problem;                 ///< Why it cannot be played, with its line; empty: it can.
-    std::string key;                     ///< What its attempts are kept together by.
-    std::string best, tries;             ///< Of the person's attempts, in words; empty: there are none.
-    std::shared_ptr<draw::Image> image;  ///< Its start; none as long as it is being drawn.
+    std::filesystem::path file = {};          ///< Where it is.
+    std::string title = {};                   ///< For people; that of a broken file is its name.
+    std::string goal = {};                    ///< What is to be done.
+    std::string problem = {};                 ///< Why it cannot be played, with its line; empty: it can.
+    int level = 0;                            ///< The less, the earlier: few instruments, then lessons before knots.
+    std::string key = {};                     ///< What its attempts are kept together by.
+    std::string best = {};                    ///< The person's best attempt, in words; empty: there is none.
+    std::string tries = {};                   ///< All of them, in words.
+    std::shared_ptr<draw::Image> image = {};  ///< Its start; none as long as it is being drawn.
 };
 
 /// The drills there are, read and drawn by a thread of its own, so that the menu opens at once.

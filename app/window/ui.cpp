@@ -42,6 +42,7 @@ void Ui::end() {
         ImGui::ClearActiveID();
     }
     move_ = 0;
+    had_focus_ = std::any_of(controls_.begin(), controls_.end(), [](const Control& c) { return c.is_focused; });
     if (dump_.is_open()) write();
 }
 

@@ -26,6 +26,8 @@ class Ui {
     void end();
     /// Moves the focus to the next control (1) or the one before (-1).
     void move_focus(int by) { move_ = by; }
+    /// Whether a control had it in the last frame.
+    bool has_focus() const { return had_focus_; }
     /// Puts the focus nowhere; for a new screen.
     void forget_focus();
 
@@ -63,6 +65,7 @@ class Ui {
     std::map<std::string, std::string> said_;
     ImGuiID wanted_ = 0;
     int move_ = 0;
+    bool had_focus_ = false;
 };
 
 }  // namespace app::window

@@ -12,12 +12,15 @@ import time
 class Desk:
     """One run of the program on the display of the environment, with settings and recordings of its own."""
 
-    def __init__(self, program, *arguments):
+    def __init__(self, program, *arguments, settings=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="carrel-window-"))
         self.dump = self.folder / "ui.jsonl"
         self.environment = dict(os.environ, HOME=str(self.folder))
         for name in ("CONFIG", "DATA", "CACHE"):
             self.environment[f"XDG_{name}_HOME"] = str(self.folder / name.lower())
+        if settings:
+            (self.folder / "config/carrel").mkdir(parents=True)
+            (self.folder / "config/carrel/settings.json").write_text(json.dumps(settings))
         self.said = open(self.folder / "said", "w+")
         self.process = subprocess.Popen([program, "play", *arguments, "--ui-dump", str(self.dump)],
                                         env=self.environment, stderr=self.said, start_new_session=True)
@@ -69,6 +72,10 @@ class Desk:
         xdo("mousemove", round((left + right) / 2), round((top + bottom) / 2))
         time.sleep(0.15)  # a frame at least, so that the button knows that the pointer is on it
         xdo("click", 1)
+
+    def resize(self, width, height):
+        xdo("search", "--name", "^Carrel$", "windowsize", width, height)
+        self.wait(lambda ui: ui["size"] == [width, height], "the new size")
 
     def says(self, name):
         return (self.ui() or {"says": {}})["says"].get(name, "")
