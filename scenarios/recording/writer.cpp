@@ -18,8 +18,10 @@ Writer::Writer(const std::filesystem::path& file, const Head& head)
     database_.run("PRAGMA journal_mode=DELETE; PRAGMA synchronous=NORMAL; BEGIN");
     database_.run("PRAGMA application_id=" + std::to_string(application_id));
     database_.run("PRAGMA user_version=" + std::to_string(format_version));
-    database_.run(tables);
+    database_.run(head_tables);
     write_head(head);
+    database_.run(other_tables);
+    write_engine(head.engine);
     if (head.session) write_session(*head.session);
     database_.run("COMMIT");
 }
@@ -34,7 +36,9 @@ void Writer::write_head(const Head& head) {
             .step();
     for (const Asset& asset : head.assets)
         Statement(database_, "INSERT INTO asset VALUES(?,?)").bind(asset.name, asset.sha256).step();
-    const Engine& engine = head.engine;
+}
+
+void Writer::write_engine(const Engine& engine) {
     Statement(database_, "INSERT INTO engine VALUES(?,?,?,?)")
         .bind(engine.source, engine.compiler, engine.flags, engine.libraries)
         .step();

@@ -34,6 +34,7 @@ class Writer {
 
   private:
     void write_head(const Head& head);
+    void write_engine(const Engine& engine);
     void write_session(const Circumstances& session);
     void write_inputs(const Batch& batch);
     void write_what_happened(const Batch& batch);
