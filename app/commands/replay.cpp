@@ -119,6 +119,9 @@ int replay_command(const ReplayOptions& options) {
     if (options.verify && recording.finished)
         compare(options.recording, "scores", recording.scores,
                 recording.version >= 2 ? result.items : without_numbers(result.items));
+    if (options.verify && !recording.stray_numbers.empty())
+        throw CheckFailed(options.recording + ": error: the measure \"" + recording.stray_numbers.front() +
+                          "\" belongs to no score");
     if (options.verify) compare(options.recording, "events", recording.events, result.events, recording.finished);
     if (options.verify)
         std::cerr << options.recording << ": " << recording.ticks() << " ticks, all " << compared

@@ -95,10 +95,8 @@ class Loader {
         whole("session", [&] { read_session(database_, recording_.head.session); });
         whole("pace", [&] { read_pace(database_, recording_.pace); });
         whole("mark", [&] { read_marks(database_, recording_.marks); });
-        whole("measure", [&] {
-            for (const std::string& stray : read_numbers(database_, recording_.head.tick_s, recording_.scores))
-                recording_.damage.push_back("the measure \"" + stray + "\" belongs to no score");
-        });
+        whole("measure",
+              [&] { recording_.stray_numbers = read_numbers(database_, recording_.head.tick_s, recording_.scores); });
         look_at_unused();
     }
 

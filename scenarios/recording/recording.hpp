@@ -133,6 +133,7 @@ struct Recording {
     std::vector<TickHash> hashes;                ///< In order of ticks.
     std::vector<world::Event> events;            ///< In the order in which they happened.
     std::vector<drill::ScoreItem> scores;        ///< The last that were set; in version 1 without their numbers.
+    std::vector<std::string> stray_numbers;      ///< Names of numbers that belong to none of them; none in a true file.
     std::vector<PaceRow> pace;                   ///< In order of ticks; none of a session that was not live.
     std::vector<Mark> marks;                     ///< In the order in which they were made.
     int version = 0;                             ///< Of its format.

@@ -96,12 +96,12 @@ std::vector<std::pair<std::string, std::string>> changes() {
         {"UPDATE score SET why = 'well done' WHERE name = 'knot'", "the scores differ"},
         {"UPDATE measure SET number = number + 1e-9 WHERE name = 'tension'", "the scores differ"},
         {"DELETE FROM measure WHERE name = 'tension'", "the scores differ"},
-        {"UPDATE measure SET name = 'lag' WHERE name = 'tension'", "the measure \"lag\" belongs to no score"},
-        {"UPDATE measure SET unit = 'mm' WHERE name = 'tension'", "the measure \"tension\" belongs to no score"},
-        {"UPDATE measure SET at_s = at_s + 1e-9 WHERE name = 'tension'", "belongs to no score"},
-        {"UPDATE measure SET at_tick = at_tick + 1 WHERE name = 'tension'", "belongs to no score"},
+        {"UPDATE measure SET name = 'lag' WHERE name = 'tension'", "the scores differ"},
+        {"UPDATE measure SET unit = 'mm' WHERE name = 'tension'", "the scores differ"},
+        {"UPDATE measure SET at_s = at_s + 1e-9 WHERE name = 'tension'", "the scores differ"},
+        {"UPDATE measure SET at_tick = at_tick + 1 WHERE name = 'tension'", "the scores differ"},
         {"INSERT INTO measure SELECT 1000, name, number, unit, at_s, at_tick FROM measure WHERE name = 'tension'",
-         "belongs to no score"},
+         "the measure \"tension\" belongs to no score"},
         {"INSERT INTO finished SELECT * FROM finished", "marked as finished more than once"},
         {"UPDATE finished SET ticks = ticks - 1", "inputs end at tick"}};
 }
