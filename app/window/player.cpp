@@ -30,7 +30,8 @@ scenarios::drill::Motion motion_of(const Drill& drill, const std::filesystem::pa
 // Hands do not wait for the disk.
 scenarios::recording::Recorder recorder_of(const Drill& drill, const std::filesystem::path& file,
                                            const PlayerOptions& options) {
-    std::string assists = options.hands.assists.names();
+    // No assist helps in an exam, whatever is switched on for practice.
+    std::string assists = options.is_exam ? "" : options.hands.assists.names();
     std::replace(assists.begin(), assists.end(), ',', ' ');
     const scenarios::recording::Circumstances session{.who = options.who,
                                                       .device = "mouse and keys",
