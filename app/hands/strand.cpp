@@ -45,11 +45,14 @@ std::optional<Takeable> nearest_takeable(const World& world, int tool, const Vec
             const int link = static_cast<int>(i);
             return !world.thread_state().is_cut(link) && !is_held(world, link) && !is_held(world, link + 1);
         });
+    // Jaws at the very end of a wire would close past it.
+    constexpr double end = 0.05;
     constexpr int looks = 24;
-    for (const auto& needle : world.needles())
+    for (const auto& needle : world.needles()) {
+        const auto at = [&](int k) { return needle.now.at(needle.now.length() * (end + (1 - 2 * end) * k / looks)); };
         for (int k = 0; k < looks && needle.holder.tool != tool && needle.next.tool != tool; ++k)
-            nearest.look(needle.now.at(needle.now.length() * k / looks),
-                         needle.now.at(needle.now.length() * (k + 1) / looks), [] { return true; });
+            nearest.look(at(k), at(k + 1), [] { return true; });
+    }
     if (nearest.way.isZero(0)) return {};
     return Takeable{nearest.at, nearest.way.normalized(), std::sqrt(nearest.distance2)};
 }
