@@ -16,4 +16,34 @@ std::vector<Goal> square_knot(const scenarios::drill::Motion& motion, bool pulls
     return goals;
 }
 
+std::vector<Goal> single_bite() {
+    constexpr double degree = 0.0174533;
+    using Place = std::optional<Vec3>;
+    const auto mm = [](double x, double y, double z) { return Place(Vec3(1e-3 * x, 1e-3 * y, 1e-3 * z)); };
+    std::vector<Goal> goals;
+    const auto go = [&](Place left, bool left_shut, Place right, bool right_shut, double care) {
+        goals.push_back({{left, right}, {{}, {}}, {left_shut, right_shut}, care});
+    };
+    const auto turn = [&](Deed deed, double by) {
+        goals.push_back(goals.back());
+        goals.back().deed = deed, goals.back().turn = by * degree;
+    };
+    go(mm(-2, 1, 1.75), false, {}, true, 0.5);
+    go({}, true, {}, true, 1);
+    turn(Deed::turn_needle, 135);
+    go({}, false, {}, true, 1);
+    go(mm(2, 6, 8), false, {}, true, 1);
+    turn(Deed::roll, 75);
+    go(mm(7.7, 3, 3.44), false, {}, true, 0.5);
+    go(mm(2.75, -0.72, 3.44), false, {}, true, 0.3);
+    go({}, true, {}, true, 1);
+    go({}, true, {}, false, 1);
+    go({}, true, mm(-2.8, -8, 2), false, 0.5);
+    turn(Deed::swap, 0);
+    turn(Deed::turn_needle, 130);
+    go(mm(6, -1.5, 20), true, {}, false, 1);
+    go(mm(12, -1.5, 34), true, {}, false, 1);
+    return goals;
+}
+
 }  // namespace app::hands

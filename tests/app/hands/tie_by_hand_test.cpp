@@ -45,6 +45,12 @@ const Play square{"square-knot", "wrist,snap,pull-both", field({-4e-3, 0, 18e-3}
 const Play square_unassisted{"square-knot", "", field({-4e-3, 0, 18e-3}, 0.17), {}, [](const Scene& scene) {
                                  return square_knot(scene.motion, false);
                              }};
+const Play bite{"single-bite",
+                "needle-wheel,snap",
+                field({0, 0, 4e-3}, 0.08),
+                {.speed = 12e-3, .lead = 2e-3, .keys_near = 1.2e-3},
+                [](const Scene&) { return single_bite(); }};
+
 void show(const Scene& scene, std::size_t goal) {
     std::printf("%7.3f s goal %2zu:", scene.world().time_s(), goal);
     for (const ToolInput& tool : scene.inputs)
@@ -111,4 +117,7 @@ TEST(TieByHand, SquareKnotWithAssists) {
 }
 TEST(TieByHand, SquareKnotWithoutAssists) {
     expect_all_passed(square_unassisted);
+}
+TEST(SewByHand, SingleBiteByTheNeedleWheel) {
+    expect_all_passed(bite);
 }
