@@ -61,6 +61,7 @@ struct Player {
     Live* live = nullptr;
     std::uint64_t pauses = 0;
     bool is_slow = false;
+    std::atomic<bool> is_last = false;  // the last tick is being made
 
     Time time() {
         return {[this] { return clock.load(); }, [this](double seconds) { clock = clock + seconds; }};
@@ -70,19 +71,20 @@ struct Player {
         inputs_at(world.ticks(), tools);
         if (is_slow && random() % 20 == 0) clock = clock + 1e-4 * static_cast<double>(random() % 1000);
         const bool pauses_now = pauses > 0 && random() % 100 == 0;
-        if (pauses_now || world.ticks() + 1 == most_ticks) live->pause();
+        if (world.ticks() + 1 == most_ticks) is_last = true;
+        if (pauses_now || is_last) live->pause();
         return clock - 0.004;
     }
     scenarios::session::Hand hand() {
         return [this](const World& world, std::span<ToolInput> tools) { return play(world, tools); };
     }
-    // Until the last tick.
+    // Until the last tick: the pause before that is not ended.
     void watch(bool looks) {
         live->resume();
         for (;;) {
             if (looks) live->view();
             if (live->has_ended() || (live->is_paused() && live->ticks() == most_ticks)) return;
-            if (live->is_paused()) live->resume();
+            if (live->is_paused() && !is_last) live->resume();
             std::this_thread::yield();
         }
     }
