@@ -33,9 +33,6 @@ struct Step {
     Vec3 move = Vec3::Zero();  ///< Right, up, and towards the eye along the line of sight [m].
     Vec3 turn = Vec3::Zero();  ///< About the camera's axes (right, up, back), a rotation vector [rad].
     double roll = 0;           ///< About the tool's shaft, from handle to tip [rad].
-
-    /// Whether it does nothing at all.
-    bool is_none() const { return move.isZero(0) && turn.isZero(0) && roll == 0; }
 };
 
 /// Where a tool is after a step of its hand. `scale` multiplies moves alone; turns are about its jaws. A step that does

@@ -50,8 +50,7 @@ std::optional<Takeable> nearest_takeable(const World& world, int tool, const Vec
     constexpr int looks = 24;
     for (const auto& needle : world.needles()) {
         const auto at = [&](int k) { return needle.now.at(needle.now.length() * (end + (1 - 2 * end) * k / looks)); };
-        for (int k = 0; k < looks && needle.holder.tool != tool && needle.next.tool != tool; ++k)
-            nearest.look(at(k), at(k + 1), [] { return true; });
+        for (int k = 0; k < looks && !needle.is_held_by(tool); ++k) nearest.look(at(k), at(k + 1), [] { return true; });
     }
     if (nearest.way.isZero(0)) return {};
     return Takeable{nearest.at, nearest.way.normalized(), std::sqrt(nearest.distance2)};

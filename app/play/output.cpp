@@ -21,7 +21,7 @@ void write_png(const std::filesystem::path& file, const std::vector<unsigned cha
 }  // namespace
 
 std::vector<unsigned char> picture_of(const Session& session, const Snapshot& snapshot) {
-    static draw::Canvas canvas;
+    static thread_local draw::Canvas canvas;  // a window draws menu and report on threads of their own
     constexpr int width = 960, height = 640;
     const auto& world = session.drill().world;
     const draw::Camera camera = camera_of(world, snapshot, static_cast<double>(width) / height);

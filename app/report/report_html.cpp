@@ -169,7 +169,8 @@ std::string figure(const std::string& title, const std::string& value, const std
 
 std::string thread(const Result& result) {
     const auto percent = [](double part) { return number(100 * part, 3) + " %"; };
-    const auto& tick = result.tick_us;
+    const auto& [p50, p99, max] = result.tick_us;
+    const std::string tick_times = number(p50, 1) + " / " + number(p99, 1) + " / " + number(max, 1) + " µs";
     return folded(
         "Thread and simulation",
         head({"Figure", "Value", "Meaning"}) +
@@ -186,7 +187,7 @@ std::string thread(const Result& result) {
             figure("Contacts, most", std::to_string(result.contacts_max), "At once.") +
             figure("Links", std::to_string(result.links), "") +
             figure("Ticks", std::to_string(result.ticks), "In " + std::to_string(result.substeps) + " substeps.") +
-            figure("Tick time", number(tick.p50, 1) + " / " + number(tick.p99, 1) + " / " + number(tick.max, 1) + " µs",
+            figure("Tick time", tick_times,
                    "Median, 99th percentile and largest, processor time" +
                        (result.machine.empty() ? "." : ", on " + result.machine + ".")) +
             figure("State hash", result.state_hash, "Equal inputs end in this state on every machine.") + table_end);

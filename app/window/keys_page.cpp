@@ -1,7 +1,5 @@
 #include "app/window/keys_page.hpp"
 
-#include <algorithm>
-
 #include "app/fault.hpp"
 #include "app/window/parts.hpp"
 #include "app/window/theme.hpp"
@@ -9,11 +7,6 @@
 namespace app::window {
 
 using hands::Action;
-
-bool is_offered(Action action) {
-    constexpr Action absent[] = {Action::show_me, Action::back, Action::back_to_step, Action::stereo};
-    return std::find(std::begin(absent), std::end(absent), action) == std::end(absent);
-}
 
 std::string keys_of(const hands::Bindings& bindings, Action action) {
     std::string keys;
@@ -48,8 +41,7 @@ void draw_keys(Shell& shell, const hands::Bindings& bindings) {
     }
     words(shell.window.fonts().bold, theme::text, "Keys");
     if (table("keys")) {
-        for (const auto& action : hands::action_rows())
-            if (is_offered(action.action)) row(shell, keys_of(bindings, action.action), action.help);
+        for (const auto& action : hands::action_rows()) row(shell, keys_of(bindings, action.action), action.help);
         ImGui::EndTable();
     }
 }

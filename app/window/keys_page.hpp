@@ -4,9 +4,6 @@
 
 namespace app::window {
 
-/// What this window does of all that a key can ask for.
-bool is_offered(hands::Action action);
-
 /// A table of all keys and of what the mouse does, with a heading.
 void draw_keys(Shell& shell, const hands::Bindings& bindings);
 

@@ -89,7 +89,6 @@ void SettingsScreen::draw_keys(Shell& shell) {
           "Press a button, then the key that shall do it; Esc changes nothing.");
     if (shell.ui.button("All keys as usual")) bindings_ = {};
     for (const auto& row : hands::action_rows()) {
-        if (!is_offered(row.action)) continue;
         const bool waits = waits_for_ == row.action;
         const std::string label = waits ? "press a key" : keys_of(bindings_, row.action);
         if (shell.ui.button(label + "##" + row.name, waits ? Look::chosen : Look::plain, {9 * em, 0},

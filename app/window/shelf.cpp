@@ -9,8 +9,8 @@
 #include "app/play/output.hpp"
 #include "app/window/texture.hpp"
 #include "scenarios/drill/history_key.hpp"
-#include "scenarios/drill/motion.hpp"
 #include "scenarios/session/history.hpp"
+#include "scenarios/session/script.hpp"
 
 namespace app::window {
 
@@ -86,12 +86,8 @@ void tell(const std::vector<scenarios::session::Attempt>& attempts, ShelfDrill& 
 }
 
 std::vector<unsigned char> draw_start(const fs::path& file) {
-    const auto drill = scenarios::drill::load_drill(file);
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    std::vector<instruments::ToolInput> start(names.size());
-    scenarios::drill::load_motion(drill.motion, names).at(0, start);
-    const Session session(drill, start);
+    const scenarios::session::Script script(file);
+    const Session session(script.drill, script.inputs(0));
     return picture_of(session, session.snapshot(""));
 }
 

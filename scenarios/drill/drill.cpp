@@ -83,9 +83,7 @@ class Reader {
         const auto& steps = drill_.steps;
         const bool is_asked = std::any_of(steps.begin(), steps.end(), [](auto& step) { return !!step.reference_s; });
         if (!is_asked || drill_.motion.empty()) return {};
-        std::vector<std::string> names;
-        for (const auto& instrument : drill_.world.instruments) names.push_back(instrument.name);
-        return load_motion(drill_.motion, names).duration();
+        return load_motion(drill_.motion, instrument_names(drill_)).duration();
     }
 
     void check_mesh(std::size_t i) const {

@@ -4,7 +4,7 @@
 #include "scenarios/recording/database.hpp"
 #include "scenarios/recording/format.hpp"
 #include "scenarios/recording/recording.hpp"
-#include "scenarios/recording/second_version.hpp"
+#include "scenarios/recording/small_tables.hpp"
 
 namespace scenarios::recording {
 
@@ -47,18 +47,7 @@ class Loader {
         each("state_hash", "SELECT tick, hash FROM state_hash ORDER BY tick", [&](Statement& row) { add_hash(row); });
         each("event", "SELECT t_s, kind, what, value FROM event ORDER BY rowid",
              [&](Statement& row) { add_event(row); });
-        each("score", "SELECT name, title, value, unit, band, passed, at_s, why FROM score ORDER BY rowid",
-             [&](Statement& row) {
-                 recording_.scores.push_back({row.text(0),
-                                              row.text(1),
-                                              row.text(2),
-                                              row.text(3),
-                                              row.text(4),
-                                              row.integer(5) != 0,
-                                              row.real(6),
-                                              row.text(7),
-                                              {}});
-             });
+        whole("score", [&] { read_scores(database_, recording_.scores); });
         if (recording_.version >= 2) read_second_version();
         recording_.finished = ticks_at_finish.has_value();
         if (ticks_at_finish && !gap_ && *ticks_at_finish != static_cast<std::int64_t>(recording_.ticks()))

@@ -5,6 +5,7 @@
 #include "scenarios/recording/database.hpp"
 #include "scenarios/recording/pace.hpp"
 #include "scenarios/recording/recording.hpp"
+#include "scenarios/recording/small_tables.hpp"
 
 namespace scenarios::recording {
 
@@ -23,13 +24,6 @@ static void read_head(Database& database, Outline& outline) {
     outline.drill_name = row.text(1);
     outline.duration_s = row.real(2) * static_cast<double>(row.integer(4));
     outline.finished = row.integer(3) > 0;
-}
-
-static void read_scores(Database& database, Outline& outline) {
-    Statement row(database, "SELECT name, title, value, unit, band, passed, at_s, why FROM score ORDER BY rowid");
-    while (row.step())
-        outline.scores.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4), row.integer(5) != 0,
-                                  row.real(6), row.text(7)});
 }
 
 static bool is_of_version_1(Database& database) {
@@ -55,7 +49,7 @@ Outline read_outline(const std::filesystem::path& file) try {
     outline.recorded_at = written_at(file);
     Database database(file, Database::read);
     read_head(database, outline);
-    read_scores(database, outline);
+    read_scores(database, outline.scores);
     if (!is_of_version_1(database)) read_session(database, outline);
     return outline;
 } catch (const DatabaseError& error) {

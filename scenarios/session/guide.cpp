@@ -10,10 +10,8 @@ using drill::Held;
 using world::World;
 
 bool holds_needle(const World& world, std::size_t instrument) {
-    const auto has_it = [&](const world::Holder& holder) { return holder.tool == static_cast<int>(instrument); };
-    const auto needles = world.needles();
-    return std::any_of(needles.begin(), needles.end(),
-                       [&](const world::Needle& needle) { return has_it(needle.holder) || has_it(needle.next); });
+    return std::ranges::any_of(
+        world.needles(), [&](const world::Needle& needle) { return needle.is_held_by(static_cast<int>(instrument)); });
 }
 
 bool holds(const World& world, const drill::HeldCondition& condition) {

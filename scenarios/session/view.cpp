@@ -6,11 +6,8 @@ namespace scenarios::session {
 
 std::string held_by(const scenarios::world::World& world, std::size_t number) {
     const auto& tool = world.tools()[number];
-    const int place = static_cast<int>(number);
-    const auto needles = world.needles();
-    const bool has_needle = std::any_of(needles.begin(), needles.end(), [&](const auto& needle) {
-        return needle.holder.tool == place || needle.next.tool == place;
-    });
+    const bool has_needle = std::ranges::any_of(
+        world.needles(), [&](const auto& needle) { return needle.is_held_by(static_cast<int>(number)); });
     std::string held;
     for (const auto& [is_held, what] : {std::pair(!tool.grasps.empty(), "thread"), std::pair(has_needle, "needle"),
                                         std::pair(!tool.walls.empty(), "wall")})

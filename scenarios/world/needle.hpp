@@ -22,6 +22,8 @@ struct Needle {
     Holder next;        ///< Who has closed on it too, and leads it when `holder` lets go.
     bool bent = false;  ///< It was pushed harder than its wire bears; it keeps its shape here.
 
+    /// Whether this tool has closed on it, be it to lead it next.
+    bool is_held_by(int tool) const { return holder.tool == tool || next.tool == tool; }
     /// Where it is when its holder has this pose.
     Arc led_by(const instruments::Pose& tool) const;
 };

@@ -13,12 +13,6 @@ namespace {
 using scenarios::session::Guide;
 using scenarios::session::Script;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-
 // Tips pass a place or close on a strand at the reference's own time, within the 2 ms that a shake of 0.05 mm is worth
 // at 25 mm/s; but a knot's name comes every 0.1 s, so that a shake of a hair may bring it by one look sooner.
 constexpr double too_early_s = 0.1;
@@ -63,13 +57,11 @@ std::string test_name(const testing::TestParamInfo<const char*>& info) {
 }
 
 TEST_P(Guidance, TicksEveryStepOffInItsTurn) {
-    if (sanitized && GetParam() != std::string("first-moves")) GTEST_SKIP() << "ten times as long, and the same code";
     expect_in_turn(script);
 }
 
 // One seed; twenty with CARREL_LONG set.
 TEST_P(Guidance, FollowsShakenHands) {
-    if (sanitized) GTEST_SKIP();
     for (unsigned seed = 1; seed <= (std::getenv("CARREL_LONG") ? 20u : 1u); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Script other = script;

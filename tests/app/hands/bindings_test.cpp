@@ -82,17 +82,19 @@ TEST(Bindings, ARefusedChangeLeavesThemAsTheyAre) {
 
 // Shift goes down while a key is held: the hand would go on for ever if the key's end were looked up anew.
 TEST(Keyboard, AnActionEndsWithTheKeyThatBeganIt) {
-    const Bindings bindings;
+    Bindings bindings;
+    bindings.bind(Action::note, {"Backspace"});
+    bindings.bind(Action::restart, {"Shift+Backspace"});
     Keyboard keyboard;
-    EXPECT_EQ(keyboard.key(bindings, "Backspace", true)->action, Action::back);
+    EXPECT_EQ(keyboard.key(bindings, "Backspace", true)->action, Action::note);
     EXPECT_FALSE(keyboard.key(bindings, "Backspace", true)) << "a key that repeats";
     EXPECT_EQ(keyboard.key(bindings, "Left Shift", true)->action, Action::k_turn);
     EXPECT_EQ(keyboard.key(bindings, "W", true)->action, Action::k_up) << "Shift+W is bound to nothing else";
     const auto end = keyboard.key(bindings, "Backspace", false);
     ASSERT_TRUE(end);
-    EXPECT_EQ(end->action, Action::back);
+    EXPECT_EQ(end->action, Action::note);
     EXPECT_FALSE(end->down);
-    EXPECT_EQ(keyboard.key(bindings, "Backspace", true)->action, Action::back_to_step);
+    EXPECT_EQ(keyboard.key(bindings, "Backspace", true)->action, Action::restart);
     EXPECT_EQ(keyboard.let_go().size(), 3u);
     EXPECT_FALSE(keyboard.key(bindings, "W", false));
 }

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/draw/scene.hpp"
-#include "scenarios/drill/motion.hpp"
+#include "scenarios/session/script.hpp"
 
 namespace {
 
@@ -19,11 +19,8 @@ std::vector<Drill> shipped_drills() {
 }
 
 scenarios::session::Snapshot start_of(const Drill& drill) {
-    std::vector<instruments::ToolInput> inputs(drill.world.instruments.size());
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    scenarios::drill::load_motion(drill.motion, names).at(0, inputs);
-    return scenarios::session::Session(drill, inputs).snapshot("");
+    const scenarios::session::Script script(drill);
+    return scenarios::session::Session(drill, script.inputs(0)).snapshot("");
 }
 
 int held_ends(const scenarios::world::WorldDef& world) {

@@ -4,7 +4,7 @@
 #include "app/draw/canvas.hpp"
 #include "app/draw/gl.hpp"
 #include "app/play/picture.hpp"
-#include "scenarios/drill/motion.hpp"
+#include "scenarios/session/script.hpp"
 #include "tests/bench/lab/gauge.hpp"
 #include "tests/bench/lab/stopwatch.hpp"
 #include "tests/bench/suites/speed.hpp"
@@ -33,15 +33,10 @@ struct Scene {
 };
 
 Scene played(const std::filesystem::path& file, double seconds) {
-    const auto drill = scenarios::drill::load_drill(file);
-    std::vector<std::string> names;
-    for (const auto& instrument : drill.world.instruments) names.push_back(instrument.name);
-    const auto motion = scenarios::drill::load_motion(drill.motion, names);
-    std::vector<instruments::ToolInput> inputs(names.size());
-    motion.at(0, inputs);
-    scenarios::session::Session session(drill, inputs);
-    for (double t_s = 0; t_s < seconds; t_s += drill.world.tick_s) motion.at(t_s, inputs), session.tick(inputs);
-    return {drill.world, session.snapshot("")};
+    const scenarios::session::Script script(file);
+    scenarios::session::Session session(script.drill, script.inputs(0));
+    while (session.world().time_s() < seconds) session.tick(script.inputs(session.world().ticks()));
+    return {script.drill.world, session.snapshot("")};
 }
 
 struct Times {

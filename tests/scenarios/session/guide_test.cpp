@@ -6,13 +6,11 @@
 
 namespace guiding {
 
-using instruments::Kind;
 using scenarios::drill::Done;
 using scenarios::drill::Drill;
 using scenarios::drill::Held;
 using scenarios::session::Guide;
 using scenarios::world::EventKind;
-using scenarios::world::World;
 using namespace scene;
 
 Drill drill_of(const std::vector<Done>& steps) {

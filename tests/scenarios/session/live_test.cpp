@@ -8,7 +8,7 @@
 #include <map>
 #include <random>
 
-#include "scenarios/drill/motion.hpp"
+#include "scenarios/session/script.hpp"
 
 namespace lives {
 
@@ -16,22 +16,24 @@ using instruments::ToolInput;
 using scenarios::drill::Drill;
 using scenarios::drill::Result;
 using scenarios::session::Live;
+using scenarios::session::Script;
 using scenarios::session::Session;
 using scenarios::session::Time;
 using scenarios::world::World;
 
 constexpr std::uint64_t most_ticks = 1234;  // the left tool grasps the thread within them, and lets go
 
+const Script& script() {
+    static const Script script(CARREL_SOURCE "/scenarios/drills/square-knot.json");
+    return script;
+}
 const Drill& square() {
-    static const Drill drill = scenarios::drill::load_drill(CARREL_SOURCE "/scenarios/drills/square-knot.json");
-    return drill;
+    return script().drill;
 }
 
 // The reference motion's inputs; the left tool opens its jaws for a while.
 void inputs_at(std::uint64_t tick, std::span<ToolInput> tools) {
-    static const auto motion =
-        scenarios::drill::load_motion(square().motion, std::vector<std::string>{"left", "right"});
-    motion.at(1e-3 * static_cast<double>(tick), tools);
+    script().motion.at(1e-3 * static_cast<double>(tick), tools);
     if (tick > 500 && tick < 700) tools[0].jaw = 1;
 }
 

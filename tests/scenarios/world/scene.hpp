@@ -68,6 +68,15 @@ inline scenarios::world::VesselDef end_at(double cut_x, double length) {
     return end;
 }
 
+/// A vessel of 12 mm along x that gives way, both its ends held.
+inline scenarios::world::VesselDef held_vessel() {
+    scenarios::world::VesselDef vessel;
+    vessel.diameter = 3.5 * mm, vessel.wall = 0.6 * mm, vessel.length = 12 * mm;
+    vessel.is_soft = true;
+    vessel.young_modulus = 0.2e6;
+    return vessel;
+}
+
 /// How often this has happened.
 inline std::size_t count(const World& world, scenarios::world::EventKind kind) {
     return static_cast<std::size_t>(std::count_if(world.events().begin(), world.events().end(),

@@ -10,11 +10,7 @@ using namespace scene;
 // A vessel along x between the jaws of forceps that open along z.
 struct Pinched : Scene {
     Pinched() {
-        scenarios::world::VesselDef vessel;
-        vessel.diameter = 3.5 * mm, vessel.wall = 0.6 * mm, vessel.length = 12 * mm;
-        vessel.is_soft = true;
-        vessel.young_modulus = 0.2e6;
-        def.vessels = {vessel};
+        def.vessels = {held_vessel()};
         const Quat along_y(Eigen::AngleAxisd(-0.5 * EIGEN_PI, Vec3::UnitX()) *
                            Eigen::AngleAxisd(0.5 * EIGEN_PI, Vec3::UnitZ()));
         add("forceps", Kind::forceps, {{{0, 2.5 * mm, 0}, along_y}, 1});

@@ -1,4 +1,4 @@
-#include "scenarios/recording/second_version.hpp"
+#include "scenarios/recording/small_tables.hpp"
 
 #include <cmath>
 
@@ -6,6 +6,13 @@ namespace scenarios::recording {
 
 static std::uint64_t ticks_at(const Statement& row, int column) {
     return static_cast<std::uint64_t>(row.integer(column));
+}
+
+void read_scores(Database& database, std::vector<drill::ScoreItem>& scores) {
+    Statement row(database, "SELECT name, title, value, unit, band, passed, at_s, why FROM score ORDER BY rowid");
+    while (row.step())
+        scores.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4), row.integer(5) != 0,
+                          row.real(6), row.text(7)});
 }
 
 void read_engine(Database& database, Engine& engine) {

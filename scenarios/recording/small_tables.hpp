@@ -6,10 +6,12 @@
 #include "scenarios/recording/database.hpp"
 #include "scenarios/recording/recording.hpp"
 
-// The small tables that recordings of version 2 have beside those of version 1. What was read before one breaks off is
+// Readers of a recording's small tables; all but the scores came with version 2. What was read before one breaks off is
 // kept. Each throws DatabaseError.
 namespace scenarios::recording {
 
+/// The scores, without their numbers.
+void read_scores(Database& database, std::vector<drill::ScoreItem>& scores);
 /// The program that simulated the session.
 void read_engine(Database& database, Engine& engine);
 /// Who played it, and how.
