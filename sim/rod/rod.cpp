@@ -154,35 +154,6 @@ double Rod::go() {
     return 0;
 }
 
-// Moves nodes as little as possible until links have these lengths: Newton's method on all of them together, two
-// rounds, of which each squares the error.
-void Rod::bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x) {
-    const std::size_t n = lengths.size();
-    for (auto* of_links : {&pivot_, &upper_, &shorten_}) of_links->resize(n);
-    const auto mobility = [&](std::size_t i) { return held_[i] ? 0.0 : 1.0; };
-    for (int round = 0; round < 2; ++round) {
-        measure(x, tried_);
-        for (std::size_t k = 0; k < n; ++k) {
-            shorten_[k] = tried_[k].length - lengths[k];
-            pivot_[k] = mobility(k) + mobility(k + 1);
-            if (pivot_[k] == 0 || is_cut(k)) pivot_[k] = 1, shorten_[k] = 0;  // between two held nodes
-            if (k == 0) continue;
-            upper_[k - 1] = is_cut(k - 1) || is_cut(k) ? 0 : -mobility(k) * tried_[k - 1].along.dot(tried_[k].along);
-            const double factor = upper_[k - 1] / pivot_[k - 1];
-            pivot_[k] -= factor * upper_[k - 1], shorten_[k] -= factor * shorten_[k - 1];
-            // A straight piece between held nodes has no length to give: its last pivot is nought. It is kept to a
-            // millionth of the others, which are about one; what then moves too far no energy accepts.
-            pivot_[k] = std::max(pivot_[k], 1e-6);
-        }
-        for (std::size_t k = n; k-- > 0;)
-            shorten_[k] = (shorten_[k] - (k + 1 < n ? upper_[k] * shorten_[k + 1] : 0)) / pivot_[k];
-        for (std::size_t k = 0; k < n; ++k) {
-            x[k] += mobility(k) * shorten_[k] * tried_[k].along;
-            x[k + 1] -= mobility(k + 1) * shorten_[k] * tried_[k].along;
-        }
-    }
-}
-
 void Rod::accept(const std::vector<Vec3>& x) {
     const double twist = twist_at(x);
     now_.directors = directors_at(x);

@@ -154,6 +154,7 @@ class Rod {
         double own;
     };
     bool is_cut(std::size_t link) const { return rest_length_[link] == 0; }
+    bool can_give(std::size_t link) const { return !is_cut(link) && !(held_[link] && held_[link + 1]); }
     static void measure(const std::vector<Vec3>& x, std::vector<Link>& links);
     double energy_of(const std::vector<Link>& links) const;
 
@@ -196,6 +197,10 @@ class Rod {
     void take_trial(double share);
     double go();
     void bring_to(const std::vector<double>& lengths, std::vector<Vec3>& x);
+    void find_excess(const std::vector<double>& lengths, const std::vector<Vec3>& x);
+    void share_between_held(const std::vector<Vec3>& x);
+    void share_excess(std::size_t first, std::size_t past, double apart);
+    void shorten(std::vector<Vec3>& x);
     void accept(const std::vector<Vec3>& x);
 
     void find_inert();

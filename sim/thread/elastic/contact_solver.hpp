@@ -39,7 +39,7 @@ class ContactSolver {
   private:
     double sweep(ContactSet& set) const;
     void carry_on(ContactSet& set, double again);
-    int sweep_until_still(ContactSet& set);
+    int sweep_until_still(ContactSet& set, int most_sweeps);
 
     DelassusMatrix delassus_;
     NormalSolver normals_;

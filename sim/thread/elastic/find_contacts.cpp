@@ -153,23 +153,35 @@ static bool is_inner(const State& state, const Row& row) {
     return !state.is_first(at(row.link)) && !state.is_last(at(row.link + 1));
 }
 
-// Drag that a polyline lacks about a tool. Its links turn by an angle and touch with their middles: from the balance of
-// its nodes pull grows over a link by (1 + q) / (1 - q) with q = k - k q^2 and k = friction sin(angle) / 2, so as if by
-// friction times the angle's sine over the angle. The inverse of that to the sixth power of the sine, good to 1 % at 60
-// degrees, beyond which no more is made up for.
+// Where the links before and after it pressed on a rigid wall too, the thread's turn is spread over them as about a
+// tool; where they did not, this link makes all of it, as at a rim. O(contacts of the last step).
+static bool is_on_belt(const State& state, const Row& row) {
+    if (row.against != Against::surface || is_on_soft_wall(state, row)) return false;
+    const auto pressed = [&](int link) {
+        return std::any_of(state.pressed.begin(), state.pressed.end(), [&](const Row& before) {
+            return before.against == Against::surface && before.link == link && before.normal_push > 0;
+        });
+    };
+    return pressed(row.link - 1) && pressed(row.link + 1);
+}
+
+// Drag that a polyline lacks about a tool or a rigid wall. Its links turn by an angle and touch with their middles:
+// from the balance of its nodes pull grows over a link by (1 + q) / (1 - q) with q = k - k q^2 and k = friction
+// sin(angle) / 2, so as if by friction times the angle's sine over the angle. The inverse of that to the sixth power of
+// the sine, good to 1 % at 60 degrees, beyond which no more is made up for.
 static double for_corners(const State& state, const Row& row) {
-    if (row.against != Against::capsule || !is_inner(state, row)) return 1;
+    if (!is_inner(state, row) || !(row.against == Against::capsule || is_on_belt(state, row))) return 1;
     const auto tangent = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
     const double sine = std::max(0.0, 0.5 * (tangent(row.link - 1) - tangent(row.link + 1)).dot(row.normal)),
                  s2 = std::min(sine * sine, 0.75);
     return 1 + s2 * (1.0 / 6 + s2 * (3.0 / 40 + s2 * (15.0 / 336)));
 }
 
-// And drag that it has too much of at the rim of a hole: what turns by an angle a within one link is in balance at a
+// And drag that it has too much of at a rim: what turns by an angle a within one link is in balance at a
 // point, where drag is friction times tan(a/2) of both pulls, and not the a/2 that a rope has all round. Good to 1 %
 // for a friction of 0.2, up to a right angle, beyond which no more is taken off.
 static double for_rims(const State& state, const Row& row) {
-    if (row.against != Against::surface || !is_inner(state, row)) return 1;
+    if (row.against != Against::surface || !is_inner(state, row) || is_on_belt(state, row)) return 1;
     const auto tangent = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
     const Vec3 before = tangent(row.link - 1), after = tangent(row.link + 1);
     const double sine = before.cross(after).norm(), cosine = before.dot(after);

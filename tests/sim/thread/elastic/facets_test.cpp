@@ -68,15 +68,11 @@ double friction_round_bar(int links) {
     return std::log((first - bent) / (last - bent)) / (2 * std::numbers::pi);
 }
 
-// Right is 0.2. Contacts of a belt that is dragged over many facets are not solved to the end (docs/lab/elastic.md), so
-// that friction is lost by an amount that changes with the number of links; what holds is that none is gained, and that
-// most of it is there.
-TEST(FacetedBar, DragsByNoMoreThanItsFriction) {
-    for (const int links : {200, 266, 400}) {
-        const double friction = friction_round_bar(links);
-        EXPECT_LT(friction, 0.21) << links;
-        EXPECT_GT(friction, 0.11) << links;
-    }
+// Right is 0.2, within 5 %, however many links go round: 35 to 4 degrees a link. Contacts that are not solved to the
+// end lose up to two fifths of it; turn that is taken for a rim's loses an eighth with the longest links.
+TEST(FacetedBar, DragsByItsFriction) {
+    for (const int links : {100, 133, 200, 266, 400, 600, 888})
+        EXPECT_NEAR(friction_round_bar(links), 0.2, 0.01) << links;
 }
 
 }  // namespace faceted_bar
