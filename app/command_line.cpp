@@ -72,6 +72,8 @@ void add_play(CLI::App& program, Chosen& chosen) {
     command
         ->add_option("--ui-dump", options->ui_dump, "Write labels and places of all controls to this file, for tests")
         ->check(not_empty);
+    command->add_option("--scene-dump", options->scene_dump, "Write what is seen in each frame to this file, for tests")
+        ->check(not_empty);
     command->callback([=, &chosen] { chosen = [options] { return play_command(*options); }; });
 }
 

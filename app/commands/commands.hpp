@@ -22,6 +22,7 @@ struct PlayOptions {
     std::string record, recordings;  // the file of this one recording; the folder of all, in one folder a person
     std::string drills, assist;      // the folder of shipped drills; names of assists with "," between
     std::string ui_dump;             // labels and rectangles of all controls go here
+    std::string scene_dump;          // what is seen in each frame goes here
     std::optional<double> pace;      // simulated seconds a second, at most
     bool exam = false;
 };

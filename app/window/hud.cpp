@@ -82,6 +82,7 @@ void draw_status(Shell& shell, const StatusLine& status, float down) {
     std::string small = std::to_string(status.frames_per_s) + " pictures/s";
     if (status.latency_ms >= 0) small += " · hand to picture " + std::to_string(status.latency_ms) + " ms";
     line(fonts.small, theme::dim, small);
+    shell.ui.say("trouble", status.trouble.value_or(""));
     if (status.trouble)
         line(fonts.text, theme::bad, "! not recorded: " + *status.trouble);
     else

@@ -89,6 +89,7 @@ void Menu::draw_card(Shell& shell, const ShelfDrill& drill, ImVec2 size) {
     ImGui::PushID(drill.file.c_str());
     const bool is_chosen = ImGui::InvisibleButton("card", size);
     shell.ui.note(drill.title, "drill");
+    shell.ui.say("tries " + drill.title, drill.tries);
     const bool is_lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize(), pad = 0.7f * em;

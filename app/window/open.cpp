@@ -78,12 +78,13 @@ void open(const PlayOptions& options) {
     Settings settings = load_settings(places().settings, problem);
     if (!options.drill.empty()) settings.is_exam = options.exam;
     Ui ui(options.ui_dump);
+    SceneDump scene_dump(options.scene_dump);
     Window window(settings.scale);
     Places where = places();
     if (!options.recordings.empty()) where.recordings = options.recordings;
     Shelf shelf(where, settings, options.drills);
     Graphics graphics;
-    Shell shell{window, ui, settings, shelf, graphics, options, where, problem};
+    Shell shell{window, ui, settings, shelf, graphics, scene_dump, options, where, problem};
     run(shell);
 }
 

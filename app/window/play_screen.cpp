@@ -25,13 +25,14 @@ namespace app::window {
 using draw::Vec3;
 using hands::Action;
 
-void FrameMeter::add(double now_s, std::optional<double> latency_s) {
-    ++count_;
+bool FrameMeter::add(double now_s, std::optional<double> latency_s) {
+    if (count_++ == 0 && begin_s_ == 0) begin_s_ = now_s;
     if (latency_s) sum_s_ += *latency_s, ++events_;
-    if (now_s - begin_s_ < 1) return;
+    if (now_s - begin_s_ < 1) return false;
     frames_ = static_cast<int>(std::lround(count_ / (now_s - begin_s_)));
     latency_ms_ = events_ > 0 ? static_cast<int>(std::lround(1e3 * sum_s_ / events_)) : -1;
     begin_s_ = now_s, sum_s_ = 0, count_ = events_ = 0;
+    return true;
 }
 
 namespace {
@@ -85,11 +86,13 @@ std::unique_ptr<Screen> open_drill(Shell& shell, const std::filesystem::path& dr
 }
 
 PlayScreen::PlayScreen(Shell& shell, const std::filesystem::path& drill)
-    : player_(std::make_unique<Player>(drill, options_for(shell, drill))), bindings_(load_keys(shell)) {
+    : player_(std::make_unique<Player>(drill, options_for(shell, drill))),
+      bindings_(load_keys(shell)),
+      level_(shell.window.renderer()) {
     pace_ = asked_pace_ = player_->live().pace();
     assists_ = player_->options().hands.assists;
     ++shell.attempts;
-    if (is_exam()) shown_ = {false, false, false, false, false, false};
+    if (is_exam()) shown_ = {false, false, false, false, false};
 }
 
 void PlayScreen::close(Shell& shell) {
@@ -217,7 +220,7 @@ bool PlayScreen::act(Shell& shell, Action action) {
         case Action::second_camera:
             return shown_.second_camera = helps && !shown_.second_camera, true;
         case Action::light:
-            return shown_.full = !shown_.full, true;
+            return level_.toggle(), true;
         case Action::full_screen:
             return shell.window.toggle_full_screen(), true;
         case Action::note:
@@ -242,7 +245,7 @@ void PlayScreen::note_frame() {
         player_->live().note_shown(*latency);
         shown_device_s_ = drawn_device_s_;
     }
-    frames_.add(now, latency);
+    if (frames_.add(now, latency)) level_.add_second(frames_.frames_per_s());
 }
 
 void PlayScreen::draw(Shell& shell) {
@@ -289,10 +292,12 @@ void PlayScreen::draw_scene(Shell& shell, const View& view, const hands::HandsVi
     if (shown_.follow && hands.mouse >= 0)
         orbit_->look_at(view.scene.tools[static_cast<std::size_t>(hands.mouse)].pose.position);
     const draw::Picture picture = picture_of(view, hands, width, height);
-    draw::draw(shell.graphics.canvas(), picture, shown_.full ? draw::Level::full : draw::Level::light, {});
+    draw::draw(shell.graphics.canvas(), picture, level_.is_full() ? draw::Level::full : draw::Level::light, {});
     if (std::exchange(wants_picture_, false)) save_picture(shell, picture, view.t_s);
     const draw::Camera& camera = picture.camera;
-    player_->devices().look(hands::look_at(camera.position, camera.target, camera.up, camera.field_of_view, height));
+    const auto sight = hands::look_at(camera.position, camera.target, camera.up, camera.field_of_view, height);
+    player_->devices().look(sight);
+    shell.scene_dump.write(view, hands, sight);
     draw_marks(shell, picture, view, hands);
 }
 

@@ -3,6 +3,7 @@
 #include "app/window/ghost.hpp"
 #include "app/window/input.hpp"
 #include "app/window/inset.hpp"
+#include "app/window/level.hpp"
 #include "app/window/orbit.hpp"
 #include "app/window/player.hpp"
 #include "app/window/screen.hpp"
@@ -11,14 +12,15 @@ namespace app::window {
 
 /// What is shown beside the scene, as the person switched it.
 struct Shown {
-    bool guide = true, ghost = true, second_camera = true, keys = false, full = false, follow = false;
+    bool guide = true, ghost = true, second_camera = true, keys = false, follow = false;
 };
 
 /// How fast pictures come and how old they are, over the last second.
 class FrameMeter {
   public:
-    /// A frame was shown [s]; how long after a device's event, if it is the first that shows one [s].
-    void add(double now_s, std::optional<double> latency_s);
+    /// A frame was shown [s]; how long after a device's event, if it is the first that shows one [s]. True: a second is
+    /// whole.
+    bool add(double now_s, std::optional<double> latency_s);
     int frames_per_s() const { return frames_; }    ///< In the last whole second.
     int latency_ms() const { return latency_ms_; }  ///< From a device to the picture, the mean of a second; -1: none.
 
@@ -72,6 +74,7 @@ class PlayScreen : public Screen {
     std::unique_ptr<Inset> inset_;
     std::optional<Orbit> orbit_;
     Shown shown_;
+    DrawingLevel level_;
     State state_ = State::before;
     double pace_ = 1, asked_pace_ = 1;
     hands::Assists assists_;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/window/scene_dump.hpp"
 #include "app/window/settings.hpp"
 #include "app/window/ui.hpp"
 #include "app/window/window.hpp"
@@ -24,6 +25,7 @@ struct Shell {
     Settings& settings;
     Shelf& shelf;
     Graphics& graphics;
+    SceneDump& scene_dump;
     const PlayOptions& options;         ///< As the command line has them.
     Places where;                       ///< Where things lie; recordings as --recordings says.
     std::string notice;                 ///< What went wrong, shown until it is put away.

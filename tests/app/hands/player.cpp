@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "app/hands/rate_keys.hpp"
+
 namespace app::hands {
 
 namespace {
@@ -103,6 +105,7 @@ bool Player::is_there(const Seen& seen) const {
 std::vector<Event> Player::play(const Seen& seen) {
     std::vector<Event> events;
     if (is_done()) return events;
+    elapsed_s_ = seen.t_s - last_s_, last_s_ = seen.t_s;
     if (!begun_) begin(seen);
     if (!do_deed(seen, events)) return events;
     ++next_, begun_ = false;
@@ -161,7 +164,7 @@ void Player::lead(const Seen& seen, std::vector<Event>& events) {
     const bool is_open = seen.tools[static_cast<std::size_t>(mouse_)].jaw > shut_below;
     const double careful = std::min(is_open ? 0.4 : 1, goals_[next_].care);
     if (behind < std::max(careful * skill_.lead, 1.8e-3))
-        share_ = longest > 0 ? std::min(1.0, share_ + careful * skill_.speed * period_s / longest) : 1;
+        share_ = longest > 0 ? std::min(1.0, share_ + careful * skill_.speed * elapsed_s_ / longest) : 1;
     if (goes(mouse_)) lead_mouse(seen, events);
     if (goes(keys_))
         lead_keys(seen, events);
@@ -176,13 +179,14 @@ bool Player::goes(int instrument) const {
 
 // Until hands have come to rest, as far as an eye sees that.
 bool Player::pull_both(const Seen& seen, std::vector<Event>& events) {
-    constexpr double rests_s = 0.25, seen_to_move = 0.2e-3, patience_s = 4;
+    constexpr double rests_s = 0.25, begins_s = 1, seen_to_move = 0.2e-3, patience_s = 4;
     press(Action::pull_both, true, events);
     if ((seen.tools[0].pose.position - from_[0]).norm() > seen_to_move) {
         from_[0] = seen.tools[0].pose.position;
         rests_s_ = seen.t_s;
     }
-    if (seen.t_s < rests_s_ + rests_s && seen.t_s < began_s_ + patience_s) return false;
+    const bool has_moved = rests_s_ > began_s_;
+    if (seen.t_s < rests_s_ + (has_moved ? rests_s : begins_s) && seen.t_s < began_s_ + patience_s) return false;
     press(Action::pull_both, false, events);
     return true;
 }
@@ -213,11 +217,11 @@ bool Player::roll(const Seen& seen, std::vector<Event>& events) {
 // The hand closes a share of what it sees to be left at each report of the mouse: less than what would swing, by an
 // eye and a hand that are some 60 ms late.
 void Player::lead_mouse(const Seen& seen, std::vector<Event>& events) {
-    constexpr double gain = 0.08, turns_after = 0.3e-3, notch = 0.5e-3, notch_s = 0.025;
+    constexpr double turns_after = 0.3e-3, notch = 0.5e-3, notch_s = 0.025;
     const Vec3& tool = seen.tools[static_cast<std::size_t>(mouse_)].pose.position;
     const Vec3 goal = carrot(seen, mouse_);
     const Vec3 way = seen.sight.project(goal) + beside_ - seen.sight.project(tool);
-    left_ += gain * Eigen::Vector2d(way.x(), -way.y());
+    left_ += std::min(1.0, skill_.gain * elapsed_s_) * Eigen::Vector2d(way.x(), -way.y());
     const Eigen::Vector2d whole = left_.array().round();
     if (whole.norm() > 0) events.push_back({Motion{whole.x(), whole.y()}, seen.t_s});
     left_ -= whole;
@@ -239,22 +243,40 @@ void Player::stop_keys(std::vector<Event>& events) {
     for (std::size_t key = 0; key < down_.size(); ++key) press(static_cast<Action>(key), false, events);
 }
 
+constexpr std::array<std::array<Action, 2>, 3> key_pairs{
+    {{Action::k_left, Action::k_right}, {Action::k_down, Action::k_up}, {Action::k_away, Action::k_towards}}};
+
 // A key goes down where its direction lacks much, and up as soon as nearly nothing is left.
-void Player::lead_keys(const Seen& seen, std::vector<Event>& events) {
+void Player::hold_keys(int axis, double lack, std::vector<Event>& events) {
     constexpr double much = 0.7e-3, little = 0.2e-3;
+    for (const int side : {-1, 1}) {
+        const Action key = key_pairs[static_cast<std::size_t>(axis)][side > 0];
+        if (side * lack > much) press(key, true, events);
+        if (side * lack < little) press(key, false, events);
+    }
+}
+
+// Where pictures come late a held key would go too far: she taps it for as long as the way takes, by feel (a hand of
+// keys begins at 20 mm/s and gains 80 mm/s in a second), and looks.
+void Player::tap_key(int axis, double lack, const Seen& seen, std::vector<Event>& events) {
+    constexpr double much = 0.9e-3, slow = RateKeys::slow, longest_s = 0.3;
+    constexpr double gain = (RateKeys::fast - RateKeys::slow) / RateKeys::rise_s;
+    double& looked_s = looked_s_[static_cast<std::size_t>(axis)];
+    if (std::abs(lack) < much || seen.t_s < looked_s) return;
+    const Action key = key_pairs[static_cast<std::size_t>(axis)][lack > 0];
+    const double takes_s = std::min(longest_s, (std::sqrt(slow * slow + 2 * gain * std::abs(lack)) - slow) / gain);
+    events.push_back({Press{key, true}, seen.t_s});
+    events.push_back({Press{key, false}, seen.t_s + takes_s});
+    looked_s = seen.t_s + takes_s + skill_.looks_s;
+}
+
+void Player::lead_keys(const Seen& seen, std::vector<Event>& events) {
     const Vec3& tool = seen.tools[static_cast<std::size_t>(keys_)].pose.position;
     Eigen::Matrix3d axes;  // right, up, towards the eye
     axes << seen.sight.turned * Vec3::UnitX(), seen.sight.turned * Vec3::UnitY(), (seen.sight.eye - tool).normalized();
     const Vec3 lacks = axes.inverse() * (carrot(seen, keys_) - tool);
-    using enum Action;
-    const std::array<std::array<Action, 2>, 3> pairs{{{k_left, k_right}, {k_down, k_up}, {k_away, k_towards}}};
     for (int axis = 0; axis < 3; ++axis)
-        for (const int side : {0, 1}) {
-            const double lack = (side == 1 ? 1 : -1) * lacks[axis];
-            const Action key = pairs[static_cast<std::size_t>(axis)][static_cast<std::size_t>(side)];
-            if (lack > much) press(key, true, events);
-            if (lack < little) press(key, false, events);
-        }
+        skill_.looks_s > 0 ? tap_key(axis, lacks[axis], seen, events) : hold_keys(axis, lacks[axis], events);
 }
 
 // Far enough either way that a new click does what it is meant to.

@@ -65,6 +65,8 @@ struct Skill {
     double mouse_error = 3;                          ///< She points beside each goal by up to this [pixels].
     double notch = 0.052;                            ///< A notch of the wheel turns the needle by this [rad].
     double enough_N = 0.7;                           ///< She pulls no farther than to this tension.
+    double looks_s = 0;                              ///< She taps keys and looks for so long what came of it; 0: holds.
+    double gain = 10;                                ///< The mouse closes what she sees to be left at this rate [1/s].
 };
 
 /// A person who goes from goal to goal.
@@ -73,7 +75,7 @@ class Player {
     /// The mouse leads instrument `mouse`, keys lead instrument `keys`.
     Player(std::vector<Goal> goals, int mouse, int keys, const Skill& skill, unsigned seed);
 
-    /// What she does now; to be asked every `period_s`.
+    /// What she does now; to be asked whenever she sees something new, best every `period_s`.
     std::vector<Event> play(const Seen& seen);
     /// All goals are reached.
     bool is_done() const { return next_ >= goals_.size(); }
@@ -92,6 +94,8 @@ class Player {
     bool do_deed(const Seen& seen, std::vector<Event>& events);
     bool go(const Seen& seen, std::vector<Event>& events);
     void lead_mouse(const Seen& seen, std::vector<Event>& events);
+    void tap_key(int axis, double lack, const Seen& seen, std::vector<Event>& events);
+    void hold_keys(int axis, double lack, std::vector<Event>& events);
     void lead_keys(const Seen& seen, std::vector<Event>& events);
     void click_jaws(const Seen& seen, std::vector<Event>& events);
     void stop_keys(std::vector<Event>& events);
@@ -108,9 +112,10 @@ class Player {
     std::mt19937 random_;
     std::size_t next_ = 0;
     bool begun_ = false;
-    std::vector<Vec3> from_;      // where the instruments were as the goal became the next
-    double share_ = 0;            // of the way from there to the goal
-    Vec3 beside_ = Vec3::Zero();  // how far the mouse points beside the goal: right, up [pixels]
+    std::vector<Vec3> from_;                    // where the instruments were as the goal became the next
+    double last_s_ = 0, elapsed_s_ = period_s;  // since she looked last
+    double share_ = 0;                          // of the way from there to the goal
+    Vec3 beside_ = Vec3::Zero();                // how far the mouse points beside the goal: right, up [pixels]
     bool pulled_ = false;
     double began_s_ = 0;              // this goal
     double rests_s_ = 0;              // since then the hands have, as far as she sees
@@ -118,6 +123,7 @@ class Player {
     Quat turned_ = Quat::Identity();  // the key hand's instrument, as the goal began
     double wheel_s_ = 0, clicked_s_ = -1;
     std::array<bool, static_cast<std::size_t>(Action::note) + 1> down_{};  // by what keys ask for
+    std::array<double, 3> looked_s_{};                                     // of each axis of the keys
     Eigen::Vector2d left_ = Eigen::Vector2d::Zero();                       // parts of pixels
 };
 

@@ -1,4 +1,5 @@
 """A person at the window: starts the program, finds controls by their labels, clicks and types by real X events."""
+import ctypes
 import json
 import os
 import pathlib
@@ -14,7 +15,7 @@ class Desk:
 
     def __init__(self, program, *arguments, settings=None):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="carrel-window-"))
-        self.dump = self.folder / "ui.jsonl"
+        self.dump, self.scene = self.folder / "ui.jsonl", self.folder / "scene.jsonl"
         self.environment = dict(os.environ, HOME=str(self.folder))
         for name in ("CONFIG", "DATA", "CACHE"):
             self.environment[f"XDG_{name}_HOME"] = str(self.folder / name.lower())
@@ -22,7 +23,13 @@ class Desk:
             (self.folder / "config/carrel").mkdir(parents=True)
             (self.folder / "config/carrel/settings.json").write_text(json.dumps(settings))
         self.said = open(self.folder / "said", "w+")
-        self.process = subprocess.Popen([program, "play", *arguments, "--ui-dump", str(self.dump)],
+        self.start(program, *arguments)
+
+    def start(self, program, *arguments):
+        """Starts the program, or starts it again when it has ended."""
+        self.dump.unlink(missing_ok=True)
+        self.process = subprocess.Popen([program, "play", *arguments, "--ui-dump", str(self.dump),
+                                         "--scene-dump", str(self.scene)],
                                         env=self.environment, stderr=self.said, start_new_session=True)
 
     def __enter__(self):
@@ -80,6 +87,11 @@ class Desk:
     def says(self, name):
         return (self.ui() or {"says": {}})["says"].get(name, "")
 
+    def memory_mb(self):
+        """What the program has in memory."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return int(next(line for line in status.splitlines() if line.startswith("VmRSS")).split()[1]) / 1024
+
     def recordings(self):
         return sorted((self.folder / "data").rglob("*.carrel"))
 
@@ -91,6 +103,53 @@ class Desk:
 def xdo(*words):
     """One call of xdotool: real events by XTest."""
     subprocess.run(["xdotool", *map(str, words)], check=True)
+
+
+class Image(ctypes.Structure):
+    """The head of Xlib's XImage: as far as its pixels."""
+    _fields_ = [("width", ctypes.c_int), ("height", ctypes.c_int), ("offset", ctypes.c_int), ("format", ctypes.c_int),
+                ("data", ctypes.c_void_p), ("order", ctypes.c_int), ("unit", ctypes.c_int), ("bit", ctypes.c_int),
+                ("pad", ctypes.c_int), ("depth", ctypes.c_int), ("line", ctypes.c_int)]
+
+
+class Server:
+    """The X server, by calls of XTest instead of processes: hundreds of events a second."""
+
+    def __init__(self):
+        self.x, self.test = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+        self.x.XOpenDisplay.restype = ctypes.c_void_p
+        self.x.XStringToKeysym.restype = ctypes.c_ulong
+        self.display = ctypes.c_void_p(self.x.XOpenDisplay(None))
+        self.x.XDefaultRootWindow.restype = ctypes.c_ulong
+        self.root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
+        self.x.XGetImage.restype = self.x.XGetSubImage.restype = ctypes.POINTER(Image)
+        self.images = {}
+
+    def pixels(self, left, top, wide, high):
+        """What the display shows there now, as bytes."""
+        everything, by_pixel = ctypes.c_ulong(-1), 2
+        place = (self.display, self.root, left, top, wide, high, everything, by_pixel)
+        if (wide, high) not in self.images:
+            self.images[wide, high] = self.x.XGetImage(*place)
+        image = self.images[wide, high]
+        self.x.XGetSubImage(*place, image, 0, 0)
+        return ctypes.string_at(image.contents.data, image.contents.line * high)
+
+    def send(self, what, *words):
+        """One event as window_by_hand names it: move, wheel, button, key."""
+        if what == "move":
+            self.test.XTestFakeRelativeMotionEvent(self.display, int(words[0]), int(words[1]), 0)
+        elif what == "wheel":
+            number = 4 if int(words[0]) > 0 else 5
+            for down in [1, 0] * abs(int(words[0])):
+                self.test.XTestFakeButtonEvent(self.display, number, down, 0)
+        elif what == "button":
+            self.test.XTestFakeButtonEvent(self.display, int(words[0]), int(words[1]), 0)
+        elif what == "key":
+            name = {"Shift": "Shift_L"}.get(words[0], words[0].lower() if len(words[0]) == 1 else words[0])
+            code = self.x.XKeysymToKeycode(self.display, ctypes.c_ulong(self.x.XStringToKeysym(name.encode())))
+            self.test.XTestFakeKeyEvent(self.display, code, int(words[1]), 0)
+        self.x.XFlush(self.display)
 
 
 def picture(file):

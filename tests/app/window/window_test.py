@@ -1,19 +1,22 @@
 """The window as people meet it: real X events, controls found by their labels. Run under xvfb-run.
 
-    window_test.py PROGRAM SOURCE SUITE
+    window_test.py PROGRAM WINDOW_BY_HAND SOURCE SUITE      SEEDS=2-10 in the environment: these seeds of Ties
 """
+import contextlib
 import json
 import os
 import pathlib
+import random
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
-from desk import Desk, xdo
+from desk import Desk, Server, xdo
 
-PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+PROGRAM, BY_HAND, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 DRILLS = SOURCE / "scenarios/drills"
 SQUARE = str(DRILLS / "square-knot.json")
 TITLE = "Square knot around a 4 mm vessel"
@@ -28,6 +31,20 @@ def replayed(recording):
 
 def value_of(result, name):
     return float(next(item for item in result["items"] if item["name"] == name)["value"])
+
+
+@contextlib.contextmanager
+def small_disk(test, kilobytes):
+    """A file system of its own; the test is left out where nobody may mount one."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="carrel-disk-"))
+    made = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", str(folder)], capture_output=True)
+    try:
+        if made.returncode != 0:
+            test.skipTest("mounting a small disk takes root")
+        yield folder
+    finally:
+        subprocess.run(["umount", "-l", str(folder)], capture_output=True)
+        folder.rmdir()
 
 
 def play(desk):
@@ -114,13 +131,141 @@ class Plays(unittest.TestCase):
             self.assertTrue(replayed(desk.recordings()[0])["finished"])
 
     def test_a_kill_leaves_a_recording_that_verifies(self):
-        with Desk(PROGRAM, SQUARE) as desk:
+        moments = random.Random(1)
+        for kill in range(int(os.environ.get("KILLS", "1"))):
+            until = moments.uniform(1.2, 6)
+            with self.subTest(kill=kill, until=until), Desk(PROGRAM, SQUARE) as desk:
+                play(desk)
+                server = Server()
+                while float(desk.says("time") or 0) < until:
+                    server.send("move", moments.choice((-3, 3)), moments.choice((-2, 2)))
+                    time.sleep(0.01)
+                seen_s = float(desk.says("time"))
+                desk.end(signal.SIGKILL)
+                result = replayed(desk.recordings()[0])
+                self.assertFalse(result["finished"])
+                self.assertGreaterEqual(result["duration_s"], seen_s - 1)
+
+    def test_a_full_disk_is_said_and_play_goes_on(self):
+        with small_disk(self, kilobytes=600) as disk, Desk(PROGRAM, SQUARE, "--recordings", str(disk)) as desk:
             play(desk)
-            ui = desk.wait(lambda ui: float(ui["says"]["time"]) > 2, "two seconds")
-            desk.end(signal.SIGKILL)
-            result = replayed(desk.recordings()[0])
-            self.assertFalse(result["finished"])
-            self.assertGreaterEqual(result["duration_s"], float(ui["says"]["time"]) - 1)
+            server, moments = Server(), random.Random(2)
+            end = time.monotonic() + 60
+            while not desk.says("trouble") and time.monotonic() < end:
+                server.send("move", moments.choice((-3, 3)), moments.choice((-2, 2)))
+                time.sleep(0.002)
+            self.assertIn("full", desk.says("trouble"))
+            at = float(desk.says("time"))
+            desk.wait(lambda ui: float(ui["says"]["time"]) > at + 1, "a second more")
+            xdo("key", "c")
+            desk.click("Finish and score")
+            desk.screen("result")
+            recording = next(disk.rglob("*.carrel"))
+            done = subprocess.run([PROGRAM, "replay", "--verify", str(recording)], capture_output=True, text=True)
+            self.assertIn(done.returncode, (0, 2), done.stderr)
+
+
+class Torture(unittest.TestCase):
+    """Random keys, buttons and moves; SECONDS=600 in the environment: for so long."""
+
+    KEYS = ("A D W S Q E F G R N B V C M O H K P L 1 2 3 Shift Tab space comma period bracketleft bracketright "
+            "F1 F5 F6 F7 F12 Home Escape Return").split()
+
+    def test_nothing_that_is_typed_or_clicked_stops_it(self):
+        seconds, chance, server = float(os.environ.get("SECONDS", "20")), random.Random(3), Server()
+        with Desk(PROGRAM, str(DRILLS / "first-moves.json"), settings={"who": "torture"}) as desk:
+            desk.screen("play", 60)
+            began, sizes, down = time.monotonic(), [], set()
+            while time.monotonic() < began + seconds:
+                for _ in range(200):
+                    self.do(server, chance, down)
+                    time.sleep(0.005)
+                self.answers(desk, server, down)
+                sizes.append(desk.memory_mb())
+            if seconds >= 120:
+                self.assertLess(sizes[-1] - sizes[len(sizes) // 5], 50, f"MB it has grown by: {sizes}")
+            self.assertEqual(desk.end(), 0)
+            desk.said.seek(0)
+            said = desk.said.read()
+            self.assertNotIn("Sanitizer", said)
+            self.assertNotIn("runtime error", said)
+            print(f"  {len(desk.recordings())} attempts, {sizes[0]:.0f} to {sizes[-1]:.0f} MB", flush=True)
+
+    def do(self, server, chance, down):
+        what = chance.random()
+        if what < 0.5:
+            server.send("move", chance.randint(-40, 40), chance.randint(-30, 30))
+        elif what < 0.6:
+            server.send("wheel", chance.choice((-1, 1)))
+        elif what < 0.7:
+            button = chance.choice((1, 1, 2, 3))
+            for is_down in (1, 0):
+                server.send("button", button, is_down)
+        else:
+            key = chance.choice(self.KEYS)
+            server.send("key", key, 0 if key in down else 1)
+            down ^= {key}
+
+    def answers(self, desk, server, down):
+        """Keys are let go; then time goes on, or Tab moves the focus."""
+        for key in sorted(down):
+            server.send("key", key, 0)
+        down.clear()
+        before = desk.ui()
+        end = time.monotonic() + 60
+        while desk.ui() == before:
+            self.assertLess(time.monotonic(), end, f"it hangs at {before}")
+            self.assertIsNone(desk.process.poll(), "it has ended")
+            for is_down in (1, 0):
+                server.send("key", "Tab", is_down)
+            time.sleep(0.3)
+
+
+class Ties(unittest.TestCase):
+    """A whole drill by mouse and keys alone, each event up to 40 ms late, the hand up to 3 pixels beside its goal."""
+
+    def test_a_square_knot_with_assists_passes(self):
+        first, last = map(int, os.environ.get("SEEDS", "1-1").split("-"))
+        for seed in range(first, last + 1):
+            with self.subTest(seed=seed):
+                self.tie(seed)
+
+    def tie(self, seed):
+        with Desk(PROGRAM, SQUARE, "--assist", "wrist,snap,pull-both") as desk:
+            play(desk)
+            began = time.monotonic()
+            self.play_by_hand(desk, seed)
+            wall_s = time.monotonic() - began
+            time.sleep(1.5)
+            if desk.ui()["screen"] == "play":
+                xdo("key", "c")
+                desk.click("Finish and score")
+            result = replayed(desk.screen("result")["says"]["recording"])
+            bad = [f"{item['name']} {item['value']}" for item in result["items"] if not item["passed"]]
+            print(f"  seed {seed}: passed {result['passed']}, {result['duration_s']:.1f} s simulated in {wall_s:.1f} s",
+                  *bad, flush=True)
+            self.assertTrue(result["passed"], bad)
+            self.assertLessEqual(result["duration_s"], 180)
+
+    def play_by_hand(self, desk, seed):
+        """What window_by_hand sees and does, for 180 simulated seconds at most."""
+        server = Server()
+        self.began = time.monotonic()
+        eyes = subprocess.Popen(["tail", "-n", "1", "-f", "-s", "0.005", str(desk.scene)], stdout=subprocess.PIPE)
+        hands = subprocess.Popen([BY_HAND, str(DRILLS / "square-knot.csv"), str(seed)], stdin=eyes.stdout,
+                                 stdout=subprocess.PIPE, text=True)
+        try:
+            for line in hands.stdout:
+                what, *words = line.split()
+                if what == "goal" and "SHOW" in os.environ:
+                    print(f"  {time.monotonic() - self.began:6.1f} s wall, pace {desk.says('pace')}:", line, end="", flush=True)
+                if what == "done" or what == "goal" and float(words[1]) > 180:
+                    return
+                server.send(what, *words)
+        finally:
+            for process in (eyes, hands):
+                process.kill()
+                process.wait()
 
 
 class Reaches(unittest.TestCase):
@@ -174,4 +319,4 @@ class Reaches(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]], verbosity=2)

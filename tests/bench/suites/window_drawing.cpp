@@ -102,6 +102,7 @@ void add_drawing(Suite& suite, const std::filesystem::path& drills, bool quick, 
 
 Suite window_suite(const std::filesystem::path& drills, bool quick, const Progress& progress) {
     Suite suite{"window", {}};
+    add_live(suite, drills, quick, progress);
     add_drawing(suite, drills, quick, progress);
     return suite;
 }
