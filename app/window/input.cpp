@@ -43,20 +43,24 @@ std::optional<hands::Press> Input::take_key(const SDL_Event& event, Heeds heeds,
     if (!hands::row_of(press->action).of_hands) return press;
     const bool is_heeded =
         heeds == Heeds::hands || !press->down || (heeds == Heeds::free && press->action == hands::Action::free_pointer);
-    if (is_heeded) devices.post({*press, now_s()});
+    if (is_heeded) post(devices, *press);
     return {};
 }
 
 void Input::take_mouse(const SDL_Event& event, hands::Devices& devices) {
     const SDL_Keymod held = SDL_GetModState();
     if (event.type == SDL_MOUSEMOTION)
-        devices.post(
-            {hands::Motion{static_cast<double>(event.motion.xrel), static_cast<double>(event.motion.yrel)}, now_s()});
+        post(devices, hands::Motion{static_cast<double>(event.motion.xrel), static_cast<double>(event.motion.yrel)});
     else if (event.type == SDL_MOUSEWHEEL && !(held & KMOD_CTRL))
-        devices.post({hands::Wheel{static_cast<double>(event.wheel.preciseY), (held & KMOD_SHIFT) != 0}, now_s()});
+        post(devices, hands::Wheel{static_cast<double>(event.wheel.preciseY), (held & KMOD_SHIFT) != 0});
     else if (const auto button = button_of(event);
              button && (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP))
-        devices.post({hands::Click{*button, event.type == SDL_MOUSEBUTTONDOWN}, now_s()});
+        post(devices, hands::Click{*button, event.type == SDL_MOUSEBUTTONDOWN});
+}
+
+void Input::post(hands::Devices& devices, decltype(hands::Event::what) what) {
+    newest_s_ = now_s();
+    devices.post({what, newest_s_});
 }
 
 void Input::let_go(hands::Devices& devices) {

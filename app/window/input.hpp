@@ -26,14 +26,18 @@ class Input {
     void let_go(hands::Devices& devices);
     /// Whether the middle button is down: the mouse leads the camera.
     bool leads_camera() const { return leads_camera_; }
+    /// When the hands were left something last [s]; 0: never.
+    double newest_s() const { return newest_s_; }
 
   private:
     std::optional<hands::Press> take_key(const SDL_Event& event, Heeds heeds, hands::Devices& devices);
     void take_mouse(const SDL_Event& event, hands::Devices& devices);
+    void post(hands::Devices& devices, decltype(hands::Event::what) what);
 
     const hands::Bindings& bindings_;
     hands::Keyboard keyboard_;
     bool leads_camera_ = false;
+    double newest_s_ = 0;
 };
 
 }  // namespace app::window

@@ -248,8 +248,18 @@ void PlayScreen::note_frame() {
     if (frames_.add(now, latency)) level_.add_second(frames_.frames_per_s());
 }
 
+// What a hand did since the last frame is used by the next tick, and seen some ms later: a picture that does not wait
+// for it would show it a whole frame later. A device's frame is 8 ms, and 120 views a second are published.
+void PlayScreen::await_hands() {
+    constexpr double most_s = 0.012;
+    if (state_ != State::playing) return;
+    const double until_s = now_s() + most_s;
+    while (player_->live().view().device_s.value_or(0) < input_.newest_s() && now_s() < until_s) SDL_Delay(1);
+}
+
 void PlayScreen::draw(Shell& shell) {
     note_frame();
+    await_hands();
     const View& view = player_->live().view();
     const hands::HandsView hands = player_->hands();
     drawn_device_s_ = view.device_s;

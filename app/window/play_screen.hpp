@@ -57,6 +57,7 @@ class PlayScreen : public Screen {
     bool is_exam() const { return player_->options().is_exam; }
 
     void note_frame();
+    void await_hands();
     void draw_scene(Shell& shell, const View& view, const hands::HandsView& hands);
     void save_picture(Shell& shell, const draw::Picture& picture, double t_s);
     void draw_inset(Shell& shell, const View& view);

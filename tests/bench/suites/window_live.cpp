@@ -1,4 +1,5 @@
 #include <stdio.h>
+#include <string.h>
 
 #include <sstream>
 
@@ -43,7 +44,7 @@ void add_live(Suite& suite, const std::filesystem::path& drills, bool quick, con
     while (fgets(line, sizeof line, said)) {
         if (auto row = row_of(line)) {
             row->seconds = watch.seconds();
-            progress(row->what);
+            progress(std::string(line, strcspn(line, "\n")));
             suite.rows.push_back(*row);
         }
     }
