@@ -29,6 +29,7 @@ std::vector<Goal> single_bite() {
         goals.back().deed = deed, goals.back().turn = by * degree;
     };
     go(mm(-2, 1, 1.75), false, {}, true, 0.5);
+    goals.back().is_fine = true;
     go({}, true, {}, true, 1);
     turn(Deed::turn_needle, 135);
     go({}, false, {}, true, 1);

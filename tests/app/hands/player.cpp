@@ -98,7 +98,8 @@ bool Player::is_there(const Seen& seen) const {
     };
     const double error = skill_.mouse_error * seen.sight.metres_per_pixel(place(seen, mouse_));
     if (goals_[next_].pulls && pulled_) return true;
-    const bool arrived = share_ >= 1 && off(mouse_) < skill_.mouse_near + 1.5 * error && off(keys_) < skill_.keys_near;
+    const bool arrived =
+        share_ >= 1 && off(mouse_) < skill_.mouse_near + 1.5 * error && off(keys_) < near_share() * skill_.keys_near;
     return arrived;
 }
 
@@ -132,6 +133,7 @@ bool Player::do_deed(const Seen& seen, std::vector<Event>& events) {
 
 bool Player::go(const Seen& seen, std::vector<Event>& events) {
     pulled_ = goals_[next_].pulls && (pulled_ || seen.tension_N > skill_.enough_N);
+    press(Action::fine, goals_[next_].is_fine, events);
     if (is_there(seen)) click_jaws(seen, events);
     if (is_there(seen) && has_jaws_right(seen, mouse_) && has_jaws_right(seen, keys_) && !takes_again(seen))
         return true;
@@ -248,7 +250,7 @@ constexpr std::array<std::array<Action, 2>, 3> key_pairs{
 
 // A key goes down where its direction lacks much, and up as soon as nearly nothing is left.
 void Player::hold_keys(int axis, double lack, std::vector<Event>& events) {
-    constexpr double much = 0.7e-3, little = 0.2e-3;
+    const double much = near_share() * 0.7e-3, little = near_share() * 0.2e-3;
     for (const int side : {-1, 1}) {
         const Action key = key_pairs[static_cast<std::size_t>(axis)][side > 0];
         if (side * lack > much) press(key, true, events);

@@ -45,6 +45,7 @@ struct Goal {
     double care = 1;                       ///< Share of her speed and of her lead; less where thread gets taut.
     bool pulls = false;                    ///< Thread gets taut on the way: far enough is where it is.
     Deed deed = Deed::go;                  ///< What is done.
+    bool is_fine = false;                  ///< A key makes both hands slow: what keys lead comes three times as near.
     double turn = 0;                       ///< How far the needle or the instrument is turned [rad], above 0.
 };
 
@@ -105,6 +106,7 @@ class Player {
     bool goes(int instrument) const;
     bool has_jaws_right(const Seen& seen, int instrument) const;
     bool is_there(const Seen& seen) const;
+    double near_share() const { return goals_[next_].is_fine ? 0.3 : 1; }
 
     std::vector<Goal> goals_;
     int mouse_, keys_;
