@@ -24,10 +24,12 @@ whole_drills() {
     done
 }
 kills() { build/tests/app_commands_test --gtest_filter='Killed*' --gtest_repeat=10 --gtest_fail_fast; }
-# in_window VARIABLE=VALUE SUITE
+# in_window SUITE VARIABLE=VALUE...
 in_window() {
-    env "$1" xvfb-run -a -s "-screen 0 1280x720x24" python3 tests/app/window/window_test.py build/carrel \
-        build/tests/window_by_hand . "$2"
+    suite=$1
+    shift
+    env "$@" xvfb-run -a -s "-screen 0 1280x720x24" python3 tests/app/window/window_test.py build/carrel \
+        build/tests/window_by_hand . "$suite"
 }
 old_processor() {
     tools/packages.sh qemu-user && qemu-x86_64 -cpu max build/carrel --version || return 1
@@ -47,9 +49,9 @@ step old-processor old_processor
 step guidance ctest --test-dir build -C long --output-on-failure -R guidance_of_shaken_hands
 step kills kills
 step hands env SEEDS=1-10 build/tests/app_tie_by_hand_test
-step window-ties in_window SEEDS=1-10 Ties
-step window-kills in_window KILLS=100 Plays
-step window-torture in_window SECONDS=600 Torture
+step window-ties in_window Ties SEEDS=1-10 PACE=1
+step window-kills in_window Plays KILLS=100
+step window-torture in_window Torture SECONDS=600
 step window-times build/carrel bench window
 step clang-tidy tools/lint --tidy
 step elastic-ties build/carrel bench elastic-ties

@@ -1,7 +1,7 @@
 // Plays a drill at the window as a person does: reads what is seen of it, a line of --scene-dump a frame, and prints
 // what she does with mouse and keys, each somewhat late. Who carries that to the X server is another's business.
 //
-//   window_by_hand MOTION SEED      tie the square knot of this motion with the assists wrist, snap, pull-both
+//   window_by_hand MOTION SEED PACE   tie the square knot of this motion with the assists wrist, snap, pull-both
 //   prints: move RIGHT DOWN | wheel NOTCHES | button 1 0 or 1 | key NAME 0 or 1 | goal NUMBER SECONDS | done
 #include <poll.h>
 #include <unistd.h>
@@ -61,11 +61,11 @@ double now_s() {
 // Brings each event when it is to be, and up to 40 ms late.
 class Fingers {
   public:
-    explicit Fingers(unsigned seed) : random_(seed) {}
+    Fingers(unsigned seed, double pace) : random_(seed), pace_(pace) {}
     void send(const std::vector<Event>& events, double seen_s) {
         const double late_s = std::uniform_real_distribution<double>(0, 0.04)(random_);
         for (const Event& event : events)
-            queue_.emplace(now_s() + late_s + std::max(0.0, event.stamp_s - seen_s), event);
+            queue_.emplace(now_s() + late_s + std::max(0.0, event.stamp_s - seen_s) / pace_, event);
     }
     void deliver(double until_s) {
         for (; !queue_.empty() && queue_.begin()->first <= until_s; queue_.erase(queue_.begin()))
@@ -75,6 +75,7 @@ class Fingers {
 
   private:
     std::mt19937 random_;
+    double pace_;
     std::multimap<double, Event> queue_;
 };
 
@@ -106,13 +107,13 @@ class Eyes {
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 3) return std::fprintf(stderr, "usage: window_by_hand MOTION SEED\n"), 2;
+    if (count != 4) return std::fprintf(stderr, "usage: window_by_hand MOTION SEED PACE\n"), 2;
     constexpr double patience_s = 5;
     const auto seed = static_cast<unsigned>(std::atoi(words[2]));
     const std::vector<std::string> instruments{"left", "right"};
     const auto motion = scenarios::drill::load_motion(words[1], instruments);
     Player player(square_knot(motion, true), 1, 0, {.keys_near = 2e-3, .looks_s = 0.16, .gain = 8}, seed);
-    Fingers fingers(seed);
+    Fingers fingers(seed, std::atof(words[3]));
     Eyes eyes;
     double last_s = now_s();  // that she saw something
     while (!player.is_done() && eyes.look(2) && now_s() < last_s + patience_s) {
