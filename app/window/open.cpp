@@ -36,7 +36,7 @@ void take_events(Shell& shell, Screen& screen, double last_frame_s) {
     if (screen.is_moving() && wait_ms > 0) SDL_Delay(static_cast<unsigned>(wait_ms));
     if (!shell.window.next_event(event, screen.is_moving() ? 0 : wait_ms)) return;
     // Who closes the window does not wait for every key that is still to have its frame.
-    if (SDL_HasEvent(SDL_QUIT)) event.type = SDL_QUIT;
+    shell.is_over |= SDL_HasEvent(SDL_QUIT) == SDL_TRUE;
     // Controls see keys once a frame: one that is pressed and let go between two frames would be lost.
     const auto needs_frame = [&] { return event.type == SDL_KEYDOWN && !shell.window.pointer_is_caught(); };
     do handle(shell, screen, event);

@@ -249,7 +249,8 @@ void PlayScreen::note_frame() {
 }
 
 // What a hand did since the last frame is used by the next tick, and seen some ms later: a picture that does not wait
-// for it would show it a whole frame later. A device's frame is 8 ms, and 120 views a second are published.
+// for it would show it a whole frame later. A device's frame is 8 ms, and 120 views a second are published. Views that
+// it passes over take their events with them, of which this screen shows none.
 void PlayScreen::await_hands() {
     constexpr double most_s = 0.012;
     if (state_ != State::playing) return;

@@ -111,10 +111,10 @@ static double gained(const ContactSet& set) {
 // leave of that time, and comes to rest in some 300 over 20 contacts. Knots swept so take half as long again.
 static int most_sweeps(const State& state, const ContactSet& set) {
     constexpr auto fewest = 60L, most_pushes = 60L * 90;
-    const auto is_on_belt = [&](const ContactConstraint& contact) {
+    const auto is_rigid = [&](const ContactConstraint& contact) {
         return contact.row->against != Against::thread && !is_on_soft_wall(state, *contact.row);
     };
-    if (!std::all_of(set.contacts.begin(), set.contacts.end(), is_on_belt)) return fewest;
+    if (!std::all_of(set.contacts.begin(), set.contacts.end(), is_rigid)) return fewest;
     const auto pushes = [](const ContactConstraint& contact) { return contact.push.squaredNorm() > 0; };
     const long pushing = std::count_if(set.contacts.begin(), set.contacts.end(), pushes);
     return static_cast<int>(std::max(fewest, most_pushes / std::max(1L, pushing)));

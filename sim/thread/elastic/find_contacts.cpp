@@ -169,8 +169,8 @@ static bool is_on_belt(const State& state, const Row& row) {
 // from the balance of its nodes pull grows over a link by (1 + q) / (1 - q) with q = k - k q^2 and k = friction
 // sin(angle) / 2, so as if by friction times the angle's sine over the angle. The inverse of that to the sixth power of
 // the sine, good to 1 % at 60 degrees, beyond which no more is made up for.
-static double for_corners(const State& state, const Row& row) {
-    if (!is_inner(state, row) || !(row.against == Against::capsule || is_on_belt(state, row))) return 1;
+static double for_corners(const State& state, const Row& row, bool on_belt) {
+    if (!is_inner(state, row) || !(row.against == Against::capsule || on_belt)) return 1;
     const auto tangent = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
     const double sine = std::max(0.0, 0.5 * (tangent(row.link - 1) - tangent(row.link + 1)).dot(row.normal)),
                  s2 = std::min(sine * sine, 0.75);
@@ -180,8 +180,8 @@ static double for_corners(const State& state, const Row& row) {
 // And drag that it has too much of at a rim: what turns by an angle a within one link is in balance at a
 // point, where drag is friction times tan(a/2) of both pulls, and not the a/2 that a rope has all round. Good to 1 %
 // for a friction of 0.2, up to a right angle, beyond which no more is taken off.
-static double for_rims(const State& state, const Row& row) {
-    if (row.against != Against::surface || !is_inner(state, row) || is_on_belt(state, row)) return 1;
+static double for_rims(const State& state, const Row& row, bool on_belt) {
+    if (row.against != Against::surface || !is_inner(state, row) || on_belt) return 1;
     const auto tangent = [&](int link) { return along(state.nodes[at(link)], state.nodes[at(link) + 1]); };
     const Vec3 before = tangent(row.link - 1), after = tangent(row.link + 1);
     const double sine = before.cross(after).norm(), cosine = before.dot(after);
@@ -197,8 +197,9 @@ double compliance_of_wall(const State& state, const Row& row) {
 void ContactFinder::set_rest(const State& state, ContactConstraint& contact) {
     Row& row = *contact.row;
     row.normal_push = contact.push.dot(row.normal);
-    row.friction *= for_rims(state, row);
-    contact.friction = row.friction * for_corners(state, row);
+    const bool on_belt = is_on_belt(state, row);
+    row.friction *= for_rims(state, row, on_belt);
+    contact.friction = row.friction * for_corners(state, row, on_belt);
     contact.pair.force = contact.push;
     const double stiffness = state.rod.def().contact_stiffness(state.rest_length[0]),
                  soft = compliance_of_wall(state, row);

@@ -80,6 +80,12 @@ class Desk:
         time.sleep(0.15)  # a frame at least, so that the button knows that the pointer is on it
         xdo("click", 1)
 
+    def play(self, seconds=20):
+        """Begins the drill on the screen."""
+        self.screen("play", seconds)
+        self.click("Begin")
+        self.wait(lambda ui: ui["says"].get("paused") == "no", "ticks", seconds)
+
     def resize(self, width, height):
         xdo("search", "--name", "^Carrel$", "windowsize", width, height)
         self.wait(lambda ui: ui["size"] == [width, height], "the new size")

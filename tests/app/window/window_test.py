@@ -47,12 +47,6 @@ def small_disk(test, kilobytes):
         folder.rmdir()
 
 
-def play(desk):
-    desk.screen("play")
-    desk.click("Begin")
-    desk.wait(lambda ui: ui["says"].get("paused") == "no", "ticks")
-
-
 def tip(desk, tool):
     x, y = desk.says(f"tip {tool}").split()
     return int(x), int(y)
@@ -87,7 +81,7 @@ class Opens(unittest.TestCase):
 class Plays(unittest.TestCase):
     def test_mouse_and_keys_lead_the_tools_and_the_recording_proves_it(self):
         with Desk(PROGRAM, SQUARE) as desk:
-            play(desk)
+            desk.play()
             right, left = tip(desk, "right"), tip(desk, "left")
             for _ in range(20):
                 xdo("mousemove_relative", "--", -4, 2)
@@ -108,7 +102,7 @@ class Plays(unittest.TestCase):
 
     def test_a_pause_stops_time_in_practice_and_does_nothing_in_an_exam(self):
         with Desk(PROGRAM, SQUARE) as desk:
-            play(desk)
+            desk.play()
             xdo("key", "space")
             desk.wait(lambda ui: ui["says"]["paused"] == "yes" and desk.find(ui, "Go on"), "a pause")
             at = desk.says("time")
@@ -117,7 +111,7 @@ class Plays(unittest.TestCase):
             xdo("key", "F1")
             desk.wait(lambda ui: ui["says"].get("keys") == "shown", "all keys")
         with Desk(PROGRAM, SQUARE, "--exam") as desk:
-            play(desk)
+            desk.play()
             xdo("key", "space")
             before = float(desk.says("time"))
             desk.wait(lambda ui: float(ui["says"]["time"]) > before + 0.2, "time going on")
@@ -125,7 +119,7 @@ class Plays(unittest.TestCase):
 
     def test_closing_in_the_middle_finishes_the_recording(self):
         with Desk(PROGRAM, SQUARE) as desk:
-            play(desk)
+            desk.play()
             desk.wait(lambda ui: float(ui["says"]["time"]) > 0.5, "half a second")
             self.assertEqual(desk.end(signal.SIGTERM), 0)
             self.assertTrue(replayed(desk.recordings()[0])["finished"])
@@ -135,7 +129,7 @@ class Plays(unittest.TestCase):
         for kill in range(int(os.environ.get("KILLS", "1"))):
             until = moments.uniform(1.2, 6)
             with self.subTest(kill=kill, until=until), Desk(PROGRAM, SQUARE) as desk:
-                play(desk)
+                desk.play()
                 server = Server()
                 while float(desk.says("time") or 0) < until:
                     server.send("move", moments.choice((-3, 3)), moments.choice((-2, 2)))
@@ -148,7 +142,7 @@ class Plays(unittest.TestCase):
 
     def test_a_full_disk_is_said_and_play_goes_on(self):
         with small_disk(self, kilobytes=600) as disk, Desk(PROGRAM, SQUARE, "--recordings", str(disk)) as desk:
-            play(desk)
+            desk.play()
             server, moments = Server(), random.Random(2)
             end = time.monotonic() + 60
             while not desk.says("trouble") and time.monotonic() < end:
@@ -235,7 +229,7 @@ class Ties(unittest.TestCase):
 
     def tie(self, seed):
         with Desk(PROGRAM, SQUARE, "--assist", "wrist,snap,pull-both", "--pace", self.PACE) as desk:
-            play(desk)
+            desk.play()
             began = time.monotonic()
             self.play_by_hand(desk, seed)
             wall_s = time.monotonic() - began
